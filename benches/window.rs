@@ -17,7 +17,7 @@ mod overdraw;
 
 use std::time::{Duration, Instant};
 
-use camera_lab::gui::{self, App, Start, State};
+use camera_lab::gui::{App, Start, State};
 use camera_lab::views::View;
 use camera_lab_words::{Lang, window};
 use eframe::egui::accesskit::Role;
@@ -61,7 +61,9 @@ struct Frame {
 
 impl Window {
     fn new() -> Option<Self> {
-        let mut state = State::new(Start { figure: gui::fresh(), lang: Lang::En, ..Start::default() }).ok()?;
+        let mut state =
+            State::new(Start { figure: camera_lab_desk::document::fresh(), lang: Lang::En, ..Start::default() })
+                .ok()?;
         // As in a window that has been used before.
         state.model.settings.welcomed = true;
         let ctx = Context::default();

@@ -1,7 +1,7 @@
 //! Camera Lab: an interactive laboratory for the virtual camera of computer graphics.
 //!
 //! Data goes one way: **figure → camera → shot → request → drawing → image**. The window ([`gui`]) and the command line
-//! ([`cli`]) are two thin shells over five libraries. This crate re-exports the modules of the first three. Whatever one can show, the
+//! ([`cli`]) are two thin shells over six libraries. This crate re-exports the modules of the first three. Whatever one can show, the
 //! other can print.
 //!
 //! - `camera-lab-engine`: the camera of the notes, scenes, the pipeline, the rasterizer.
@@ -9,6 +9,7 @@
 //! - `camera-lab-teaching`: studies, diagnosis, exercises, lessons.
 //! - `camera-lab-files`: the file system, figures and lessons in links.
 //! - `camera-lab-words`: texts in every language.
+//! - `camera-lab-desk`: what the window knows, without a window.
 //!
 //! Start reading at [`camera`] for the model of the notes, and at [`pipeline`] for the way from a scene to a picture.
 
@@ -22,7 +23,6 @@ pub use camera_lab_teaching::{clock, exercises, lessons, numerics};
 pub mod cli;
 #[cfg(feature = "gui")]
 pub mod gui;
-pub mod handout;
 #[cfg(test)]
 #[path = "../crates/files/src/testing.rs"]
 mod testing;

@@ -15,7 +15,6 @@ use crate::cli::args::words::{TableFormat, written};
 use crate::exercises::{self, Answer, AnswerError, Ask, Cause, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
-use crate::handout::{self, HandoutOptions, NoPicture};
 use crate::inspect::json_text;
 use crate::lessons::lesson_of;
 use crate::picture::{self, Composite, FileOptions, Metadata};
@@ -24,6 +23,7 @@ use crate::sanitize;
 use crate::scene::no_files;
 use crate::views::{SharedScene, Size, View, Views, scene_of};
 use camera_lab_files::{self as files, BadExercise, OwnExercises};
+use camera_lab_words::handout::{self, HandoutOptions, NoPicture};
 use camera_lab_words::learn::{
     exercise_messages as said, exercise_sheet as sheet_of, exercise_window, exercises as texts, lessons,
 };

@@ -8,7 +8,6 @@ use crate::camera::{Camera, ImageSize};
 use crate::cli::args::figure::FigureArgs;
 use crate::cli::args::figure::size;
 use crate::cli::args::words::written;
-use crate::handout;
 use crate::picture::{
     self, Beside, Composite, Handout, NoComposite, OnPaper, PictureError, PictureFile, SheetSize, gap,
 };
@@ -17,6 +16,7 @@ use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::{ObserverOf, Request, SharedScene, Shot, Size, View, unknown_labels};
 use camera_lab_files::{self as files, Opened, Overwrite};
+use camera_lab_words::handout;
 use camera_lab_words::window::{compare, labels as labels_words};
 use camera_lab_words::{Lang, command_line as texts, families, messages, pictures};
 

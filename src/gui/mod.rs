@@ -1,14 +1,11 @@
 //! The window: a thin shell over the library. The command line can print everything it shows.
 
 pub mod app;
-mod background;
 pub mod export;
-pub mod files;
 pub mod gallery;
 pub mod inspector;
 pub mod kit;
 pub mod learn;
-pub mod model;
 pub mod pictures;
 pub mod platform;
 pub mod storage;
@@ -16,10 +13,11 @@ pub mod why;
 
 use crate::figure::Figure;
 use crate::lessons::OpenLesson;
-use crate::scene::Preset;
 pub use app::App;
 pub use app::launch_options::LaunchOptions;
 pub use app::state::State;
+use camera_lab_desk::action::AfterSave;
+use camera_lab_desk::storage::session::News;
 use camera_lab_files::SourceFile;
 use camera_lab_words::Lang;
 use std::path::PathBuf;
@@ -52,11 +50,6 @@ pub enum GuiError {
     Camera(#[from] crate::camera::CameraError),
 }
 
-/// The figure that the window begins with: the default scene, from a good viewpoint for it and its view volume.
-pub fn fresh() -> Figure {
-    Figure::of_preset(Preset::default())
-}
-
 /// The initial size of the window, in points. With title bar and task bar it fits a screen of 1280 × 720, so that
 /// messages at its bottom are visible.
 pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
@@ -68,7 +61,10 @@ pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 /// [`GuiError::NoWindow`] if there is no display or no usable OpenGL.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
-    let restore = start.file.is_none() && start.lesson.is_none() && start.later.is_none() && start.figure == fresh();
+    let restore = start.file.is_none()
+        && start.lesson.is_none()
+        && start.later.is_none()
+        && start.figure == camera_lab_desk::document::fresh();
     // After the preferences, among which are the panels.
     let (lesson, later) = (start.lesson.take(), start.later.take());
     let state = State::new(start)?;
@@ -93,9 +89,9 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
                 app.keep_preferences(&context.egui_ctx, folders.config_dir(), asked);
                 app.keep_session(folders.data_dir(), restore);
             } else {
-                app.state.file_flow.news.tell(storage::session::News::NoHome);
+                app.state.file_flow.news.tell(News::NoHome);
             }
-            let opened = lesson.map(model::action::AfterSave::Lesson).or(later.map(model::action::AfterSave::OpenPath));
+            let opened = lesson.map(AfterSave::Lesson).or(later.map(AfterSave::OpenPath));
             if let Some(open) = opened {
                 app::file_flow::begin(&context.egui_ctx, &mut app.state, open);
             }

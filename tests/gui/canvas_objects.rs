@@ -3,10 +3,10 @@
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
 
 use camera_lab::gui::State;
-use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::scene::{Light, LightKind, ObjectSpec, Preset, Shape};
 use camera_lab::views::transform_gizmo::part_at;
 use camera_lab::views::{GizmoPart, Hover, Request, TransformGizmo, Transforming, pick};
+use camera_lab_desk::scene_tree::Selected;
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -126,7 +126,7 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
     };
     click(&mut h);
     assert_eq!(selected(&h), None, "the tree is not open");
-    h.state_mut().state.model.settings.tab = camera_lab::gui::model::layout::Tab::Scene;
+    h.state_mut().state.model.settings.tab = camera_lab_desk::layout::Tab::Scene;
     // Not as a double-click.
     for _ in 0..20 {
         h.step();

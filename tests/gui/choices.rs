@@ -6,12 +6,12 @@ use std::sync::Arc;
 
 use camera_lab::exercises::{Exercise, Kind};
 use camera_lab::gui::{Start, State};
-use camera_lab::handout::{self, HandoutOptions};
 use camera_lab::lessons::{Lesson, OpenLesson, Step, Task, shipped};
 use camera_lab::picture::Paragraph;
 use camera_lab::scene::{Preset, SceneSpec, no_files};
 use camera_lab::views::{SharedScene, View, Views, scene_of};
 use camera_lab_words::Lang;
+use camera_lab_words::handout::{self, HandoutOptions};
 use camera_lab_words::learn::exercises::choice_of;
 use camera_lab_words::why::notes;
 use eframe::egui::Key;

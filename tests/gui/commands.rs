@@ -5,10 +5,10 @@ use camera_lab::figure::WorldLook;
 use camera_lab::figure::{Measure, Measured};
 use camera_lab::gui::LaunchOptions;
 use camera_lab::gui::app::command::MENUS;
-use camera_lab::gui::model::command::Command;
-use camera_lab::gui::model::layout::{ObserverChange, Side};
+use camera_lab::gui::kit::command::Command;
 use camera_lab::views::View;
 use camera_lab::views::observer::Viewpoint;
+use camera_lab_desk::layout::{ObserverChange, Side};
 use camera_lab_words::Lang;
 use camera_lab_words::window::{cameras, compare, photograph, predict, search, texts};
 use eframe::egui::accesskit::Role;
@@ -381,7 +381,7 @@ fn news_go_when_they_have_been_read_and_errors_stay() {
     pass(&mut window, 6.0);
     assert!(!window.says("Copied") && window.state().model.message.is_none());
     let error = camera_lab::camera::CameraError::ViewUpZero;
-    window.app_mut().state.model.say(camera_lab::gui::model::message::Message::Camera(error));
+    window.app_mut().state.model.say(camera_lab_desk::message::Message::Camera(error));
     pass(&mut window, 12.0);
     assert!(window.state().model.message.is_some());
 }

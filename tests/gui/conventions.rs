@@ -5,9 +5,9 @@ use std::fs;
 use camera_lab::camera::{Api, Ndc, Projection};
 use camera_lab::figure::Explanation;
 use camera_lab::gui::app::file_flow::questions::Dialog;
-use camera_lab::gui::model::explained::conventions::Conventions;
 use camera_lab::gui::{Start, State};
 use camera_lab::views::{Probe, View, Views};
+use camera_lab_desk::explained::conventions::Conventions;
 use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, vec2};
@@ -101,7 +101,7 @@ fn rows_and_the_left_hand_are_said() {
 /// A window of its size with the canonical volume alone, in a convention.
 fn canonical(ndc: Ndc) -> Window {
     let start = Start {
-        figure: camera_lab::gui::fresh(),
+        figure: camera_lab_desk::document::fresh(),
         file: None,
         lang: Lang::En,
         allow_files: false,

@@ -18,7 +18,7 @@ use crate::words::{en, pt};
 
 /// A window that shows an explanation.
 fn window(lang: Lang, shown: Explanation) -> Window {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
@@ -218,7 +218,11 @@ fn k_r_t_asks_for_its_image_and_leaves_the_clipping_planes() {
     let share = -pixels.left / (pixels.right - pixels.left);
     assert!((share * 1242.0 - 609.5593).abs() < 1e-9, "{share}");
     window.command_key(Key::Z);
-    assert_eq!(window.state().model.desk.shown.figure().image, camera_lab::gui::fresh().image, "one step for both");
+    assert_eq!(
+        window.state().model.desk.shown.figure().image,
+        camera_lab_desk::document::fresh().image,
+        "one step for both"
+    );
     assert_eq!(*window.state().model.desk.shown.draft(), before);
 }
 

@@ -169,7 +169,7 @@ fn after_a_failed_open_the_field_keeps_the_keyboard_and_says_why() {
 fn what_is_wrong_elsewhere_is_not_said_in_the_dialog_of_files() {
     let mut window = Window::new(Lang::En);
     let error = camera_lab::camera::CameraError::ViewUpZero;
-    window.app_mut().state.model.say(camera_lab::gui::model::message::Message::Camera(error));
+    window.app_mut().state.model.say(camera_lab_desk::message::Message::Camera(error));
     window.run();
     let said = window.state().model.message.as_ref().expect("a message").text(Lang::En);
     let times = |window: &Window| window.harness.query_all_by_label_contains(&said).count();

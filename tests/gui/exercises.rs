@@ -26,7 +26,7 @@ pub(super) fn window(lang: Lang) -> Window {
 }
 
 pub(super) fn window_of(lang: Lang, size: [f32; 2]) -> Window {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
     figure.style.antialias = 1;
     let mut state =
@@ -398,7 +398,7 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     window.run();
     assert!(window.state().learn.exercises.progress.is_empty() && window.state().learn.exercises.typed.is_empty());
     assert!(
-        matches!(&window.state().model.message, Some(camera_lab::gui::model::message::Message::ProgressDeleted(_))),
+        matches!(&window.state().model.message, Some(camera_lab_desk::message::Message::ProgressDeleted(_))),
         "{:?}",
         window.state().model.message
     );

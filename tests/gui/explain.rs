@@ -3,12 +3,12 @@
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::Matrix;
 use camera_lab::figure::{Explanation, Measure, Measured, NamedPoint};
-use camera_lab::gui::model::explained::matrices::{Matrices, Reading};
-use camera_lab::gui::model::layout::{Side, Tab};
-use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::numbers::{DecimalMark, without_rests};
 use camera_lab::scene;
+use camera_lab_desk::explained::matrices::{Matrices, Reading};
+use camera_lab_desk::layout::{Side, Tab};
+use camera_lab_desk::scene_tree::Selected;
 use camera_lab_words::Lang;
 use camera_lab_words::why::explain::texts;
 use eframe::egui::accesskit::Role;

@@ -169,7 +169,7 @@ fn changes_are_asked_about_before_they_are_lost() {
     assert!(!window.says(en::WINDOW.unsaved_title));
     window.command_key(Key::N);
     window.click(en::WINDOW.dont_save);
-    assert_eq!(window.state().model.desk.shown.figure(), &gui::fresh());
+    assert_eq!(window.state().model.desk.shown.figure(), &camera_lab_desk::document::fresh());
     window.enter("C x", "2");
     assert!(!window.ask_to_close());
     window.click(en::WINDOW.save);

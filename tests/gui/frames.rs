@@ -13,7 +13,7 @@ const SIZE: [f32; 2] = [1280.0, 800.0];
 
 /// The three pictures with both panels.
 fn window(theme: Theme) -> Window {
-    let mut figure = gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
     figure.style.antialias = 1;
     let mut state = State::new(Start { figure, ..Start::default() }).expect("a possible camera");

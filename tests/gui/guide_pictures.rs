@@ -14,10 +14,10 @@ use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;
 use camera_lab::figure::ShownStep;
 use camera_lab::gui::learn::exercises::state::{Checked, Chosen, Described, Typed, joined};
-use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::gui::{Start, State};
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
 use camera_lab::views::View;
+use camera_lab_desk::scene_tree::Selected;
 use camera_lab_words::Lang;
 use glam::{DMat4, DVec3};
 
@@ -106,7 +106,7 @@ fn wrong_view_matrix(state: &mut State) {
 
 /// A window that shows a tab beside one picture.
 fn window(shown: &Shown, lang: Lang, size: [f32; 2], change: impl FnOnce(&mut State)) -> Window {
-    let figure = camera_lab::gui::fresh();
+    let figure = camera_lab_desk::document::fresh();
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.file_flow.native = false;

@@ -5,13 +5,13 @@ use std::time::{Duration, Instant};
 
 use camera_lab::figure::Explanation;
 use camera_lab::figure::{ShownTriangle, TriangleStep};
-use camera_lab::gui::model::layout::{Side, Tab};
-use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::gui::{Start, State};
 use camera_lab::picture::TrianglePixels;
 use camera_lab::progress::at_once;
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
 use camera_lab::views::{Probe, Request, Size, View, image_frame};
+use camera_lab_desk::layout::{Side, Tab};
+use camera_lab_desk::scene_tree::Selected;
 use camera_lab_words::why::triangle::texts;
 use camera_lab_words::{Lang, pictures};
 use eframe::egui::accesskit::Role;
@@ -22,7 +22,7 @@ use super::window::Window;
 
 /// A window with the image of a box before a ball; the ball alone has more than sixty thousand triangles.
 fn window(change: impl FnOnce(&mut State)) -> Window {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
     figure.scene.objects = vec![
         ObjectSpec::new("box", Shape::Box).at(-1.5, 0.0, 0.0),

@@ -16,7 +16,7 @@ use super::window::Window;
 use crate::words::en;
 
 fn window(lang: Lang, points: &[(&str, DVec3)]) -> Window {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
     figure.camera = Parameters { position: DVec3::new(0.0, 0.0, 5.0), ..figure.camera };
     figure.points =

@@ -31,7 +31,7 @@ impl Window {
 }
 
 fn fresh() -> State {
-    let (figure, file) = (camera_lab::gui::fresh(), None);
+    let (figure, file) = (camera_lab_desk::document::fresh(), None);
     State::new(Start { figure, file, lang: Lang::En, allow_files: false, lesson: None, later: None })
         .expect("a possible camera")
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use camera_lab::gui::model::message::Message;
+use camera_lab_desk::message::Message;
 use camera_lab_words::Lang;
 use camera_lab_words::window::texts;
 use eframe::egui::{Key, Modifiers};

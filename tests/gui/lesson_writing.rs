@@ -525,7 +525,7 @@ fn a_step_in_one_language_shows_it_in_the_other_until_it_has_its_own() {
     let folder = Folder::new("write-in-one-language");
     let t = words::texts(Lang::PtBr);
     let path = folder.file("mine.toml");
-    let figure = camera_lab::gui::fresh();
+    let figure = camera_lab_desk::document::fresh();
     let (text, lesson) = with_step("", "mine", &words::draft(Lang::PtBr, 1), &figure).unwrap();
     let step = &lesson.steps[0];
     assert_eq!((step.text.clone(), step.title.en.as_str()), (Bilingual::default(), "Passo 1"));

@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use camera_lab::exercises::{Exercise, ExpectedAnswer, Kind};
 use camera_lab::figure::NamedPoint;
-use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::lessons::{OpenLesson, Task, shipped};
+use camera_lab_desk::layout::Side;
 use camera_lab_words::learn::exercises::choice_of;
 use camera_lab_words::learn::{exercise_sheet, exercise_window, exercises, lessons as words};
 use camera_lab_words::why::notes::line;

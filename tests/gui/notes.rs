@@ -3,9 +3,9 @@
 use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;
 use camera_lab::gui::app::file_flow::questions::Dialog;
-use camera_lab::gui::model::layout::{Side, Tab};
-use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::scene::{ObjectSpec, Shape};
+use camera_lab_desk::layout::{Side, Tab};
+use camera_lab_desk::scene_tree::Selected;
 use camera_lab_words::Lang;
 use camera_lab_words::why::explain::texts;
 use camera_lab_words::why::notes::note;

@@ -20,7 +20,7 @@ use crate::words::en;
 
 /// A window that shows the tab, with a box below a moved group.
 fn window(lang: Lang, selected: Option<&str>) -> Window {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
     figure.style.antialias = 1;
     figure.scene.objects = vec![
@@ -30,7 +30,7 @@ fn window(lang: Lang, selected: Option<&str>) -> Window {
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.model.layout.maximized = Some(View::World);
-    let selected = selected.map(|name| camera_lab::gui::model::scene_tree::Selected::Object(name.to_owned()));
+    let selected = selected.map(|name| camera_lab_desk::scene_tree::Selected::Object(name.to_owned()));
     state.model.tree.select(selected);
     // So high that nothing has to be scrolled.
     let mut window = Window::with_state(state, [900.0, 1300.0]);
@@ -107,11 +107,11 @@ fn a_call_is_dragged_by_its_dots() {
 fn taking_over_is_in_sight_in_a_small_window_also_when_the_list_is_scrolled() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = texts(lang);
-        let mut figure = camera_lab::gui::fresh();
+        let mut figure = camera_lab_desk::document::fresh();
         figure.scene.objects = vec![ObjectSpec::new("box", Shape::Box)];
         let mut state =
             State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
-        state.model.tree.select(Some(camera_lab::gui::model::scene_tree::Selected::Object("box".to_owned())));
+        state.model.tree.select(Some(camera_lab_desk::scene_tree::Selected::Object("box".to_owned())));
         state.model.settings.panels.wanted = [false, false, true];
         state.model.explained.show(Explanation::Order);
         let mut window = Window::with_state(state, [1280.0, 720.0]);

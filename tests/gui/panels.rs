@@ -3,8 +3,8 @@
 use camera_lab::camera::{Camera, Convention, Operation, Projection, ViewWindow};
 use camera_lab::figure::Explanation;
 use camera_lab::geometry::Angle;
-use camera_lab::gui::model::message::Message;
 use camera_lab::views::View;
+use camera_lab_desk::message::Message;
 use camera_lab_words::Lang;
 use camera_lab_words::window::texts;
 use eframe::egui::{Event, Key, Modifiers, OutputCommand, PointerButton, pos2, vec2};

@@ -52,7 +52,7 @@ pub(super) fn write(path: &PathBuf, picture: &RgbaImage) {
 
 /// The window that one sees first.
 fn first(lang: Lang, theme: Theme, size: [f32; 2]) -> Window {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.style.antialias = 1;
     figure.scene.preset = Preset::Cube;
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })

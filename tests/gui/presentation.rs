@@ -4,11 +4,11 @@
 use std::fs;
 
 use camera_lab::figure::Explanation;
-use camera_lab::gui::model::command::Command;
-use camera_lab::gui::model::layout::Side;
+use camera_lab::gui::kit::command::Command;
 use camera_lab::gui::{Start, State};
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
+use camera_lab_desk::layout::Side;
 use camera_lab_words::Lang;
 use camera_lab_words::window::texts;
 use eframe::egui::accesskit::Role;
@@ -250,7 +250,7 @@ impl Window {
 
 #[test]
 fn beside_a_panel_one_picture_is_large_and_it_is_the_one_that_is_explained() {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
     figure.style.antialias = 1;
     let mut state =

@@ -20,7 +20,7 @@ fn window(lang: Lang, picture: View) -> Window {
 }
 
 fn window_with(lang: Lang, picture: View, size: [f32; 2], change: impl FnOnce(&mut Figure)) -> Window {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Cube;
     figure.camera = Parameters { position: DVec3::Z * 5.0, near: 2.0, far: 8.0, ..Parameters::default() };
     figure.style.antialias = 1;

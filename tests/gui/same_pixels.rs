@@ -10,8 +10,8 @@ use camera_lab::geometry::Angle;
 use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::app::file_flow::text_as_shown;
 use camera_lab::gui::export::Export;
-use camera_lab::gui::model::layout::Panels;
 use camera_lab::views::{View, Views};
+use camera_lab_desk::layout::Panels;
 use camera_lab_files::share;
 use proptest::prelude::*;
 

@@ -3,8 +3,8 @@
 use camera_lab::appearance::{Filter, TextureReveal, Wrap};
 use camera_lab::figure::ShadowReveal;
 use camera_lab::figure::read::parse;
-use camera_lab::gui::model::scene_tree::Selected;
 use camera_lab::scene::{Light, LightKind, ObjectPaint, ObjectSpec, Preset, Shadows, Shape, TextureSource};
+use camera_lab_desk::scene_tree::Selected;
 use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};

@@ -15,7 +15,7 @@ use egui_kittest::kittest::Queryable as _;
 use super::window::Window;
 
 fn staged(lang: Lang) -> Window {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Cube;
     figure.style.antialias = 1;
     let mut state =

@@ -17,7 +17,7 @@ use egui_kittest::kittest::Queryable as _;
 use super::window::Window;
 
 fn staged(lang: Lang) -> Window {
-    let mut figure = camera_lab::gui::fresh();
+    let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Cube;
     figure.style.antialias = 1;
     (figure.image.width, figure.image.height) = (160, 120);

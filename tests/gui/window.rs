@@ -4,10 +4,10 @@ use std::time::{Duration, Instant};
 
 use camera_lab::figure::Explanation;
 use camera_lab::gui::kit::theme;
-use camera_lab::gui::model::layout::Side;
 use camera_lab::gui::{App, Start, State};
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
+use camera_lab_desk::layout::Side;
 use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2, Rect, Shape, Ui, UiBuilder, Vec2};
@@ -77,7 +77,7 @@ impl Window {
     /// A window of the usual size with the camera that it begins with. There is little to draw in it, because pictures
     /// take their time without optimisation.
     pub(crate) fn new(lang: Lang) -> Self {
-        let mut figure = camera_lab::gui::fresh();
+        let mut figure = camera_lab_desk::document::fresh();
         figure.scene.preset = Preset::Empty;
         figure.style.antialias = 1;
         let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })

@@ -1,13 +1,13 @@
 //! Windows that are killed while they write down what they show.
 
+use camera_lab::gui::kit::frames::frames;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 use camera_lab::camera::Parameters;
-use camera_lab::gui;
-use camera_lab::gui::model::document::{Document, Seen};
-use camera_lab::gui::storage::session::{Kept, News, Sessions};
+use camera_lab_desk::document::{Document, Seen};
+use camera_lab_desk::storage::session::{Kept, News, Sessions};
 use eframe::egui;
 
 use crate::disk::{fill, small_disk};
@@ -19,12 +19,12 @@ fn with_far(mut document: Document, far: f64) -> Document {
 }
 
 fn fresh() -> Document {
-    Document::new(gui::fresh(), None).expect("a camera")
+    Document::new(camera_lab_desk::document::fresh(), None).expect("a camera")
 }
 
 fn keep(sessions: &mut Sessions, ctx: &egui::Context, document: &Document) {
     let seen = Seen::of(document.figure());
-    sessions.keep(ctx, Kept { document, seen: &seen, is_work: document.is_changed(), text: None }, &[]);
+    sessions.keep(&frames(ctx), Kept { document, seen: &seen, is_work: document.is_changed(), text: None }, &[]);
 }
 
 pub(crate) fn keep_for_ever(folder: &Path) {

@@ -67,6 +67,7 @@ mod pages {
 pub mod command_line;
 pub mod families;
 pub mod file_names;
+pub mod handout;
 pub mod learn;
 pub mod messages;
 pub mod pictures;

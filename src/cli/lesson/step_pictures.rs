@@ -9,7 +9,6 @@ use crate::cli::args::words::written;
 use crate::cli::render::no_picture;
 use crate::cli::{Failure, say};
 use crate::figure::Figure;
-use crate::handout::{NoPicture, Scenes, picture, views_of};
 use crate::lessons::{Lesson, Step};
 use crate::picture::{Composite, gap};
 use crate::progress::Progress;
@@ -17,6 +16,7 @@ use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Size, Views, scene_of};
 use camera_lab_files::{FigureFiles, FileAccess};
+use camera_lab_words::handout::{NoPicture, Scenes, picture, views_of};
 use camera_lab_words::learn::lessons as texts;
 use camera_lab_words::{Lang, messages};
 

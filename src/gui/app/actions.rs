@@ -5,10 +5,10 @@ use eframe::egui::Context;
 use super::state::State;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose};
 use crate::gui::app::file_flow::{ask, begin};
-use crate::gui::inspector::state::cameras::CameraList;
 use crate::gui::inspector::state::compare::CompareForm;
-use crate::gui::model::action::{Action, AfterSave};
-use crate::gui::model::photograph::PhotographTool;
+use camera_lab_desk::action::{Action, AfterSave};
+use camera_lab_desk::cameras::CameraList;
+use camera_lab_desk::photograph::PhotographTool;
 
 /// Performs the actions requested since the last call.
 pub(super) fn perform(ctx: &Context, state: &mut State) {

@@ -5,8 +5,8 @@ mod table;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::gui::app::state::State;
-use crate::gui::model::Model;
-use crate::gui::model::command::Command;
+use crate::gui::kit::command::Command;
+use camera_lab_desk::Model;
 use camera_lab_words::window::Texts;
 pub use table::MENUS;
 
@@ -141,11 +141,11 @@ mod tests {
     use std::collections::HashSet;
 
     use super::*;
+    use crate::gui::kit::command::WITHOUT_VALUE;
     use crate::gui::kit::keys;
-    use crate::gui::model::command::WITHOUT_VALUE;
-    use crate::gui::model::layout::{ObserverChange, Tab};
     use crate::views::observer::Viewpoint;
     use crate::views::{Arrangement, View};
+    use camera_lab_desk::layout::{ObserverChange, Tab};
     use camera_lab_words::{Lang, window};
 
     #[test]

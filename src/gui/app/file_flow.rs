@@ -16,6 +16,7 @@ mod saving;
 mod sequence;
 pub mod title_dialog;
 
+use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -33,17 +34,17 @@ use crate::gui::app::file_flow::sequence::Search;
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportKind, Exporting, Task, save_chart};
 use crate::gui::inspector::state::compare;
-use crate::gui::model::Model;
-use crate::gui::model::action::{AfterSave, FileFor, MeshFor};
-use crate::gui::model::document::Document;
-use crate::gui::model::document::source::Source;
-use crate::gui::model::export_error::ExportError;
-use crate::gui::model::layout::Tab;
-use crate::gui::model::message::{Message, NotExported};
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::picture::file_beside;
 use crate::scene::Shape;
 use crate::scene::import::MESH_ENDINGS;
+use camera_lab_desk::Model;
+use camera_lab_desk::action::{AfterSave, FileFor, MeshFor};
+use camera_lab_desk::document::Document;
+use camera_lab_desk::document::source::Source;
+use camera_lab_desk::export_error::ExportError;
+use camera_lab_desk::layout::Tab;
+use camera_lab_desk::message::{Message, NotExported};
 use camera_lab_files::{self as files, FileChange, FileError, Overwrite, disk};
 
 /// Does the `next` action, after asking about all losses: text of a lesson that can't be saved, and changes of the
@@ -70,7 +71,7 @@ pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
 pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     match next {
         AfterSave::New => {
-            if let Ok(document) = Document::new(crate::gui::fresh(), None) {
+            if let Ok(document) = Document::new(camera_lab_desk::document::fresh(), None) {
                 state.learn.take_over(&mut state.model, document);
             }
         }
@@ -427,7 +428,7 @@ fn say_saved(model: &mut Model, path: PathBuf) {
 fn watch(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
     let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
     if std::mem::take(&mut file_flow.look) || focused {
-        file_flow.watch.begin(ctx, &model.desk.shown);
+        file_flow.watch.begin(&frames(ctx), &model.desk.shown);
     }
     match file_flow.watch.take(&model.desk.shown) {
         Some(FileChange::Other(theirs)) if file_flow.decided.as_ref() != Some(&theirs) => {

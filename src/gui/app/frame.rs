@@ -5,6 +5,7 @@
 //! of the pointer, and the pictures mark it in the same frame. Dialogs lie over both. After everything has been shown,
 //! the changes are committed and handed to the threads that write files.
 
+use crate::gui::kit::frames::frames;
 use std::time::Duration;
 
 use eframe::egui;
@@ -13,21 +14,21 @@ use super::{App, actions, dialogs, menu, presentation, status};
 use crate::gui::app::file_flow::{self, changed_file};
 use crate::gui::app::state::State;
 use crate::gui::inspector::{numerics, operations, parameters, values};
+use crate::gui::kit::command::Command;
 use crate::gui::kit::context_help;
 use crate::gui::kit::focus::{self, Region};
 use crate::gui::kit::{text_field, tooltip};
 use crate::gui::learn::{exercises, lesson};
-use crate::gui::model::Model;
-use crate::gui::model::action::AfterSave;
-use crate::gui::model::command::Command;
-use crate::gui::model::layout::Side;
-use crate::gui::model::shown::PanelHover;
 use crate::gui::pictures::long_work::is_long;
 use crate::gui::pictures::{Canvas, Inputs, motion};
 use crate::gui::storage::recovery::{self, Decision};
-use crate::gui::storage::session::Kept;
 use crate::gui::storage::session_news;
 use crate::gui::why;
+use camera_lab_desk::Model;
+use camera_lab_desk::action::AfterSave;
+use camera_lab_desk::layout::Side;
+use camera_lab_desk::shown::PanelHover;
+use camera_lab_desk::storage::session::Kept;
 use camera_lab_words::window::{self, Texts};
 
 /// Below this width, in points, there is room for only one panel beside the pictures.
@@ -217,7 +218,8 @@ impl App {
         if let Some(command) = self.canvas.wanted.take() {
             self.perform(&ctx, command);
         }
-        self.state.model.check_camera(&ctx);
+        let is_down = ctx.input(|input| input.pointer.any_down());
+        self.state.model.check_camera(&frames(&ctx), is_down);
         presentation::show(&ctx, &self.state.model, &mut self.state.annotations, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
@@ -266,7 +268,7 @@ impl App {
             let is_work = state.model.is_unsaved() || explains;
             let shown =
                 Kept { document: &state.model.desk.shown, seen: &seen, is_work, text: state.learn.unsaved_text() };
-            sessions.keep(ctx, shown, &state.model.desk.held());
+            sessions.keep(&frames(ctx), shown, &state.model.desk.held());
         }
         if let Some(preferences) = &mut self.preferences {
             preferences.keep(ctx, &mut self.state);

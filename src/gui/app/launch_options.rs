@@ -6,9 +6,9 @@ use percent_encoding::percent_decode_str;
 
 use crate::appearance::Theme;
 use crate::figure::words::{self, THEMES, Words};
-use crate::gui::model::Model;
 use crate::lessons::{OpenLesson, shipped};
 use crate::views::{View, Views};
+use camera_lab_desk::Model;
 use camera_lab_words::Lang;
 
 /// The languages, by the names that `--lang` has for them.

@@ -5,14 +5,14 @@ use eframe::egui::{self, Button, RichText, TextStyle};
 use super::command::MENUS;
 use crate::gui::app::state::State;
 use crate::gui::app::status;
+use crate::gui::kit::command::Command;
 use crate::gui::kit::elide;
 use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
-use crate::gui::model::Model;
-use crate::gui::model::command::Command;
 use crate::sanitize::escaped;
+use camera_lab_desk::Model;
 use camera_lab_words::window::{self, Texts};
 
 /// Below this width, in points, the menus have no room beside the switches, as on a telephone held upright.

@@ -10,11 +10,11 @@ use eframe::egui::{
 use super::menu;
 use crate::gui::app::file_flow::questions::FileFlow;
 use crate::gui::app::state::State;
+use crate::gui::kit::command::Command;
 use crate::gui::kit::theme;
 use crate::gui::learn::Learn;
-use crate::gui::model::Model;
-use crate::gui::model::command::Command;
 use crate::gui::pictures::annotations::Annotations;
+use camera_lab_desk::Model;
 use camera_lab_words::learn::lessons;
 use camera_lab_words::{told, window};
 

@@ -4,8 +4,8 @@ use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
 use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
-use crate::gui::model::message::Message;
+use camera_lab_desk::Model;
+use camera_lab_desk::message::Message;
 use camera_lab_words::window;
 
 /// The latest message, shortened to the available room.

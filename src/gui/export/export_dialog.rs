@@ -14,10 +14,10 @@ use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::form::{choice, choice_row, complaint, row};
 use crate::gui::kit::number_field::{self, FieldError, NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::picture::Faces;
 use crate::views::{View, Views};
+use camera_lab_desk::Model;
 use camera_lab_words::window::Texts;
 use camera_lab_words::{families, pictures};
 

@@ -5,6 +5,7 @@ pub(super) mod family;
 pub mod family_choice;
 pub mod preview;
 
+use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -20,12 +21,7 @@ use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::figure::variation::{Variation, VariationError, variants};
-use crate::gui::background::worker::{Running, Worker};
 use crate::gui::export::family_choice::FamilyChoice;
-use crate::gui::model::Model;
-use crate::gui::model::export_error::ExportError;
-use crate::gui::model::handout::Job;
-use crate::gui::model::message::Shortfall;
 use crate::limits::{MAX_FAMILY, PAPER_LINES};
 use crate::numbers::round_to;
 use crate::picture::{
@@ -34,6 +30,11 @@ use crate::picture::{
 };
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
+use camera_lab_desk::Model;
+use camera_lab_desk::background::worker::{Running, Worker};
+use camera_lab_desk::export_error::ExportError;
+use camera_lab_desk::handout_job::Job;
+use camera_lab_desk::message::Shortfall;
 use camera_lab_files::{self as files, FigureFiles, FileError, LeftOut, Overwrite};
 use camera_lab_words::{Lang, pictures};
 
@@ -328,7 +329,7 @@ impl Exporting {
     ) -> Self {
         let path = task.path.clone();
         let mut worker = Worker::new("export", clock::now, make);
-        worker.ask(ctx, 0, task);
+        worker.ask(&frames(ctx), 0, task);
         Self { path, worker }
     }
 

@@ -1,6 +1,7 @@
 //! The picture that the export dialog shows, and the one that it copies. They are drawn beside the window's thread, in
 //! the same way as the exported one.
 
+use crate::gui::kit::frames::frames;
 use std::time::Duration;
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -8,12 +9,12 @@ use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use super::family_choice::FamilyChoice;
 use crate::clock;
 use crate::export::format::PictureFormat;
-use crate::gui::background::worker::Worker;
 use crate::gui::export::{Export, ExportSource};
-use crate::gui::model::export_error::ExportError;
 use crate::limits::MAX_COPIED_PIXELS;
 use crate::picture::{self, Crowded, FileOptions};
 use crate::progress::Progress;
+use camera_lab_desk::background::worker::Worker;
+use camera_lab_desk::export_error::ExportError;
 
 /// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
 const FINENESS: f32 = 2.0;
@@ -124,7 +125,11 @@ impl Preview {
             self.asked = Some((*export, family.clone()));
             self.copied = None;
             let room = Some(room.map(|side| FINENESS * side));
-            self.worker.ask(ctx, SHOWN, PreviewJob { subject: subject(), export: *export, room, as_svg: false });
+            self.worker.ask(
+                &frames(ctx),
+                SHOWN,
+                PreviewJob { subject: subject(), export: *export, room, as_svg: false },
+            );
         }
     }
 
@@ -132,7 +137,7 @@ impl Preview {
     pub(in crate::gui) fn copy(&mut self, ctx: &Context, export: &Export, subject: ExportSource) {
         self.copied = None;
         self.worker.ask(
-            ctx,
+            &frames(ctx),
             COPIED,
             PreviewJob { subject, export: *export, room: None, as_svg: export.format.is_vector() },
         );

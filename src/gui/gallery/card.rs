@@ -1,6 +1,5 @@
 //! A figure in the gallery, with its source and its display. It's read and drawn beside the window's thread.
 
-use std::borrow::Cow;
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{HashMap, HashSet};
 use std::hash::{Hash as _, Hasher as _};
@@ -10,13 +9,13 @@ use crate::appearance::Theme;
 use crate::camera::Camera;
 use crate::export::png::figure_bytes;
 use crate::figure::{Bilingual, Figure};
-use crate::gui::model::document::source::Source;
 use crate::lessons::parse_bytes;
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
 use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
+use camera_lab_desk::document::source::Source;
 use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
 use camera_lab_words::{Lang, messages, pictures, told, window};
 
@@ -106,23 +105,6 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
                 kept.insert(key, drawn.clone());
             }
             CardOutcome::Drawn(source, drawn)
-        }
-    }
-}
-
-impl Source {
-    /// Its name. Until it has been read, that of its file.
-    pub(super) fn name(&self) -> Cow<'_, str> {
-        match self {
-            Self::Shipped(name) => (*name).into(),
-            Self::File(path) => path.file_stem().unwrap_or_default().to_string_lossy(),
-        }
-    }
-
-    fn folder(&self) -> Option<&Path> {
-        match self {
-            Self::Shipped(_) => None,
-            Self::File(path) => path.parent(),
         }
     }
 }

@@ -3,6 +3,7 @@
 mod card;
 mod show;
 
+use crate::gui::kit::frames::frames;
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -12,8 +13,8 @@ use eframe::egui::{Context, TextureHandle, TextureOptions};
 use self::card::{CardJob, CardOutcome, CardText, work};
 use crate::appearance::Theme;
 use crate::clock;
-use crate::gui::background::worker::Worker;
-use crate::gui::model::document::source::Source;
+use camera_lab_desk::background::worker::Worker;
+use camera_lab_desk::document::source::Source;
 use camera_lab_files::SHIPPED_FIGURES;
 use camera_lab_words::window::search::{folded, has_words};
 use camera_lab_words::{Lang, messages};
@@ -206,7 +207,7 @@ impl Gallery {
                 // Even if drawing panics, it isn't requested again.
                 self.cards.entry(source.clone()).or_default().fresh = true;
             }
-            self.worker.ask(ctx, 0, job);
+            self.worker.ask(&frames(ctx), 0, job);
         }
     }
 

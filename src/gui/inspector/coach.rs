@@ -7,10 +7,10 @@ use crate::figure::Explanation;
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
-use crate::gui::model::coach::Advice;
 use crate::numerics::diagnosis::{IN_A_WINDOW, Repair, changes};
 use crate::numerics::health::Level;
+use camera_lab_desk::Model;
+use camera_lab_desk::coach::Advice;
 use camera_lab_words::window::Texts;
 use camera_lab_words::window::coach as words;
 

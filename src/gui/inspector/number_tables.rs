@@ -4,10 +4,10 @@ use std::borrow::Cow;
 
 use crate::camera::{Camera, Ndc};
 use crate::explain::{Matrix, projection_equation};
-use crate::gui::model::Model;
-use crate::gui::model::explained::conventions::Conventions;
 use crate::inspect::Report;
 use crate::numbers::{self, DecimalMark, without_rests};
+use camera_lab_desk::Model;
+use camera_lab_desk::explained::conventions::Conventions;
 use camera_lab_words::why::conventions;
 use camera_lab_words::window::{self, Texts};
 

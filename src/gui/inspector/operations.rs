@@ -9,11 +9,11 @@ use crate::gui::kit::context_help::help_topic_row;
 use crate::gui::kit::number_field::{self, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
-use crate::gui::model::operations::Scrub;
-use crate::gui::model::operations::motion::arrow;
 use crate::numbers::DecimalMark;
 use crate::views::Ghost;
+use camera_lab_desk::Model;
+use camera_lab_desk::operations::Scrub;
+use camera_lab_desk::operations::motion::arrow;
 use camera_lab_words::why::notes;
 use camera_lab_words::window::{self, Texts};
 

@@ -14,7 +14,7 @@ use crate::gui::kit::mathematics::brackets;
 use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
+use camera_lab_desk::Model;
 use camera_lab_words::why::conventions::differences;
 use camera_lab_words::why::{explain, notes};
 use camera_lab_words::window::{self, Texts};

@@ -10,11 +10,11 @@ use std::sync::Arc;
 
 use eframe::egui;
 
-use crate::gui::model::Model;
-use crate::gui::model::action::Action;
-use crate::gui::model::document::Document;
-use crate::gui::model::operations::placing::{Mark, Placing};
 use crate::lessons::Lesson;
+use camera_lab_desk::Model;
+use camera_lab_desk::action::Action;
+use camera_lab_desk::document::Document;
+use camera_lab_desk::operations::placing::{Mark, Placing};
 use camera_lab_words::learn::{exercise_window, lessons};
 use exercises::state::Exercises;
 use lesson::state::Playing;

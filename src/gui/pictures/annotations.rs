@@ -3,7 +3,7 @@
 
 use eframe::egui::Pos2;
 
-use crate::gui::model::document::source::Source;
+use camera_lab_desk::document::source::Source;
 
 /// The annotations over the pictures.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,10 +4,10 @@ use eframe::egui::{self, Align, Button, Layout, Rect, Response, RichText, TextSt
 
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{elide, theme};
-use crate::gui::model::Model;
-use crate::gui::model::coach::Advice;
 use crate::numerics::diagnosis::Diagnosis;
 use crate::numerics::health::Level;
+use camera_lab_desk::Model;
+use camera_lab_desk::coach::Advice;
 use camera_lab_words::Lang;
 use camera_lab_words::window::coach as words;
 

@@ -8,10 +8,10 @@ use super::status::{Status, line_height, table};
 use super::{Canvas, Pane};
 use crate::figure::{Depth, Explanation};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::gui::pictures::pointer::picking::{PickQuery, PickRequest};
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::views::{Hover, Probe, Request, Shot, Size, View, pick};
+use camera_lab_desk::Model;
 use camera_lab_words::why::explain_point;
 use camera_lab_words::window::canvas::CanvasTexts;
 

@@ -6,12 +6,12 @@ use glam::{DMat4, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
-use crate::gui::background::memo::Memo;
-use crate::gui::model::Model;
-use crate::gui::model::scene_tree::Selected;
 use crate::scene::edit::{descendants, placement};
 use crate::scene::{Light, LightKind, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
+use camera_lab_desk::Model;
+use camera_lab_desk::background::memo::Memo;
+use camera_lab_desk::scene_tree::Selected;
 
 /// The scene with the selection marked in it. Rebuilt only if one of both has changed.
 #[derive(Debug, Default)]

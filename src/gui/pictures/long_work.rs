@@ -5,9 +5,9 @@ use std::time::Duration;
 use eframe::egui::{self, Key, Modifiers};
 
 use super::Canvas;
-use crate::gui::background::worker::Running;
-use crate::gui::model::Model;
 use crate::sanitize;
+use camera_lab_desk::Model;
+use camera_lab_desk::background::worker::Running;
 use camera_lab_words::window::canvas as words;
 use camera_lab_words::window::{progress, scenes};
 
@@ -86,8 +86,8 @@ mod tests {
     use crate::gui::Start;
     use crate::gui::State;
     use crate::gui::export::{Export, ExportKind, Exported, Exporting, Task};
-    use crate::gui::model::export_error::ExportError;
     use crate::progress::{Activity, Progress};
+    use camera_lab_desk::export_error::ExportError;
     use camera_lab_files::Overwrite;
     use camera_lab_words::Lang;
 

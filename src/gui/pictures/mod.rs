@@ -22,6 +22,7 @@ mod status;
 mod strip;
 mod texture;
 
+use crate::gui::kit::frames::frames;
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -42,16 +43,9 @@ use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use crate::appearance::Rgba;
 use crate::figure::{Explanation, Observer};
-use crate::gui::background::worker::Running;
+use crate::gui::kit::command::Command;
 use crate::gui::kit::focus;
 use crate::gui::kit::focus::Region;
-use crate::gui::model::Model;
-use crate::gui::model::action::Action;
-use crate::gui::model::command::Command;
-use crate::gui::model::layout::ObserverChange;
-use crate::gui::model::message::Message;
-use crate::gui::model::operations::placing::Placing;
-use crate::gui::model::photograph::PhotographTool;
 use crate::gui::pictures::arrange::auto_observer::Auto;
 use crate::gui::pictures::arrange::title::{Title, TitleAction};
 use crate::gui::pictures::highlight::Highlight;
@@ -66,6 +60,13 @@ use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
 use crate::views::image_frame;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
+use camera_lab_desk::Model;
+use camera_lab_desk::action::Action;
+use camera_lab_desk::background::worker::Running;
+use camera_lab_desk::layout::ObserverChange;
+use camera_lab_desk::message::Message;
+use camera_lab_desk::operations::placing::Placing;
+use camera_lab_desk::photograph::PhotographTool;
 use camera_lab_words::pictures::labels;
 use camera_lab_words::window;
 use camera_lab_words::window::canvas as words;
@@ -233,7 +234,7 @@ impl Canvas {
         if model.tree.settle() {
             ctx.request_repaint();
         }
-        if let Err(error) = model.scene_cache.update(&ctx, &model.desk.shown, model.settings.theme, patience) {
+        if let Err(error) = model.scene_cache.update(&frames(&ctx), &model.desk.shown, model.settings.theme, patience) {
             model.say(Message::Scene(error));
         } else if model.scene_cache.loading().is_empty() {
             model.forget_missing();

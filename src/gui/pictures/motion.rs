@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use eframe::egui::{self, Event};
 
-use crate::gui::model::Model;
+use camera_lab_desk::Model;
 
 /// Duration of a step, in seconds.
 const DURATION: f64 = 0.2;

@@ -1,5 +1,6 @@
 //! Draws pictures beside the window's thread, each only if its inputs have changed.
 
+use crate::gui::kit::frames::frames;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
 use std::time::Duration;
@@ -8,11 +9,11 @@ use eframe::egui;
 
 use super::texture::Tiles;
 use crate::clock;
-use crate::gui::background::worker::{Running, Worker};
 use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::{OverBudget, ShadowMaps};
 use crate::progress::Progress;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Request};
+use camera_lab_desk::background::worker::{Running, Worker};
 
 /// A picture to draw. Two equal jobs give the same pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -197,7 +198,7 @@ impl Rendering {
         }
         self.given_up[i] = None;
         if !self.asked[i].as_ref().is_some_and(is_as_good) {
-            self.worker.ask(ctx, i, job.clone());
+            self.worker.ask(&frames(ctx), i, job.clone());
             self.asked[i] = Some(job);
         }
     }
@@ -290,7 +291,7 @@ mod tests {
         for (picture, view) in View::ALL.into_iter().enumerate() {
             let size = Size { width: 40, height: 30, scale: 1.0 };
             let request = Request::of(&figure, view, &camera, &scene, labels, size);
-            worker.ask(&ctx, picture, RenderJob { picture, request, ..job(1) });
+            worker.ask(&frames(&ctx), picture, RenderJob { picture, request, ..job(1) });
         }
         let drawn = worker.take(Duration::from_secs(60)).into_iter().flatten();
         assert_eq!(drawn.filter(|done| done.outcome.as_ref().unwrap().rendered.is_ok()).count(), View::COUNT);
@@ -357,7 +358,7 @@ mod tests {
     #[test]
     fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
         let ctx = egui::Context::default();
-        let worker = drawing(ShadowMaps::default()).without_thread(&ctx);
+        let worker = drawing(ShadowMaps::default()).without_thread(&frames(&ctx));
         let mut rendering = Rendering { worker, ..Rendering::default() };
         rendering.ask(&ctx, job(25));
         let rendered = rendering.collect(Duration::ZERO);

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
 use glam::DVec2;
 
-use crate::gui::model::operations::motion::FADE;
 use crate::picture::Pixels;
 use crate::views;
+use camera_lab_desk::operations::motion::FADE;
 
 /// One pixel of a picture is one pixel of the screen.
 const OPTIONS: TextureOptions = TextureOptions::NEAREST;

@@ -8,8 +8,8 @@ use crate::explain::{Definition, Formula, Notation, Numbers, Setting, Symbol, Wr
 use crate::figure::Measured;
 use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::mathematics::{Both, Formula as Typeset, Links, chain};
-use crate::gui::model::explained::matrices::Matrices;
 use crate::numbers::exact_form;
+use camera_lab_desk::explained::matrices::Matrices;
 use camera_lab_words::Lang;
 use camera_lab_words::why::explain as words;
 use camera_lab_words::why::explain::Texts;

@@ -17,12 +17,12 @@ use crate::gui::kit::plotting::export_button;
 use crate::gui::kit::plotting::{linear_x, logarithmic_x, still};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
-use crate::gui::model::action::Action;
 use crate::gui::why::state::explain::Explain;
 use crate::numerics::health::{suggested_planes, with_planes};
 use crate::numerics::{Resolution, Seen, TwoPlanes, resolutions};
 use crate::views::Probe;
+use camera_lab_desk::Model;
+use camera_lab_desk::action::Action;
 use camera_lab_words::window::{coach as words, compare};
 use camera_lab_words::{Lang, window};
 

@@ -9,9 +9,9 @@ use crate::figure::{Depth, Reveal};
 use crate::gui::kit::form::alternatives;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
 use crate::views::View;
+use camera_lab_desk::Model;
 use camera_lab_words::why::stages;
 use camera_lab_words::window;
 

@@ -4,9 +4,9 @@ use eframe::egui::{self, RichText, Ui};
 
 use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
 use crate::pipeline::Stage;
+use camera_lab_desk::Model;
 use camera_lab_words::why::sources::with_titles;
 use camera_lab_words::why::{notes, pipeline, stages};
 

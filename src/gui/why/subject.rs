@@ -2,7 +2,7 @@
 
 use crate::camera::Camera;
 use crate::explain::{Placement, Setting};
-use crate::gui::model::Model;
+use camera_lab_desk::Model;
 
 /// The numbers of the symbols, without the rest of the window.
 pub(super) struct ExplainedSetting {

@@ -6,8 +6,8 @@ use crate::gui::app::file_flow;
 use crate::gui::app::state::State;
 use crate::gui::kit::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::action::AfterSave;
 use crate::sanitize;
+use camera_lab_desk::action::AfterSave;
 use camera_lab_words::window;
 
 /// Shows the bar, if there is something to report.

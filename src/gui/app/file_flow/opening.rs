@@ -7,13 +7,13 @@ use crate::figure::Photograph;
 use crate::gui::app::state::State;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
-use crate::gui::model::Model;
-use crate::gui::model::action::MeshFor;
-use crate::gui::model::document::Document;
-use crate::gui::model::document::source::Source;
-use crate::gui::model::message::Message;
 use crate::lessons::{Lesson, OpenLesson};
 use crate::scene::{Shape, TextureSource};
+use camera_lab_desk::Model;
+use camera_lab_desk::action::MeshFor;
+use camera_lab_desk::document::Document;
+use camera_lab_desk::document::source::Source;
+use camera_lab_desk::message::Message;
 use camera_lab_files::share;
 use camera_lab_files::{self as files, FileError, Opened};
 

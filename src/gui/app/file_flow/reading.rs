@@ -1,5 +1,6 @@
 //! Files read beside the window's thread, because one on a network may take seconds.
 
+use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -8,11 +9,11 @@ use eframe::egui;
 
 use super::sequence::{Found, Search};
 use crate::clock;
-use crate::gui::background::worker::{Running, Worker};
-use crate::gui::model::Model;
-use crate::gui::model::history::Revision;
 use crate::lessons::Lesson;
 use crate::progress::Progress;
+use camera_lab_desk::Model;
+use camera_lab_desk::background::worker::{Running, Worker};
+use camera_lab_desk::history::Revision;
 use camera_lab_files::{self as files, FileError, Opened};
 
 /// Time that a frame waits for a file. Files on a disk of this machine are there by then.
@@ -97,7 +98,7 @@ impl Reading {
             // The file before may stall.
             self.worker = self.worker.restarted();
         }
-        self.worker.ask(ctx, 0, wanted);
+        self.worker.ask(&frames(ctx), 0, wanted);
     }
 
     /// The content once it's there, and if the window's figure has changed since the request. Nothing if the user has
@@ -131,8 +132,8 @@ mod tests {
     use crate::gui::app::file_flow::questions::Dialog;
     use crate::gui::app::file_flow::{begin, poll};
     use crate::gui::app::state::State;
-    use crate::gui::model::action::AfterSave;
     use crate::testing::{Directory, Stall};
+    use camera_lab_desk::action::AfterSave;
 
     /// Opens a file that takes longer than a frame. Meanwhile the user does something else.
     fn opened_slowly(name: &str, meanwhile: fn(&egui::Context, &mut State)) -> (PathBuf, State) {

@@ -1,5 +1,6 @@
 //! The figure is written beside the window's thread, because a disk on a network may take seconds, or stall.
 
+use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -7,11 +8,11 @@ use eframe::egui;
 
 use crate::clock;
 use crate::figure::{Figure, update};
-use crate::gui::background::worker::{self, Worker};
-use crate::gui::model::Model;
-use crate::gui::model::action::AfterSave;
-use crate::gui::model::history::Revision;
 use crate::progress::Progress;
+use camera_lab_desk::Model;
+use camera_lab_desk::action::AfterSave;
+use camera_lab_desk::background::worker::{self, Worker};
+use camera_lab_desk::history::Revision;
 use camera_lab_files::{self as files, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
 
 /// Time that a frame waits for the file. On a disk of this machine it's written by then.
@@ -148,7 +149,7 @@ impl Saving {
         };
         let write = async |job: ToSave, _: &Progress| job.run().unwrap_or_else(Saved::Failed);
         let mut worker = Worker::new("save", clock::now, move || write);
-        worker.ask(ctx, 0, job);
+        worker.ask(&frames(ctx), 0, job);
         self.running.push(Running { worker, save, document: Some(document.id()) });
     }
 

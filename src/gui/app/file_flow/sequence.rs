@@ -8,10 +8,10 @@ use std::path::Path;
 
 use crate::gui::app::state::State;
 use crate::gui::gallery::figures_in;
-use crate::gui::model::Model;
-use crate::gui::model::document::Document;
-use crate::gui::model::document::source::Source;
-use crate::gui::model::message::Message;
+use camera_lab_desk::Model;
+use camera_lab_desk::document::Document;
+use camera_lab_desk::document::source::Source;
+use camera_lab_desk::message::Message;
 use camera_lab_files::{SHIPPED_FIGURES, open_figure};
 
 /// The inputs of the search for the next figure.
@@ -110,7 +110,7 @@ fn document_at(place: Option<&Source>) -> Result<Document, Box<Message>> {
     };
     match opened {
         Some(document) => Ok(document),
-        None => Ok(Document::new(crate::gui::fresh(), None).map_err(Message::Camera)?),
+        None => Ok(Document::new(camera_lab_desk::document::fresh(), None).map_err(Message::Camera)?),
     }
 }
 

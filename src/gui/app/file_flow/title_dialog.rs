@@ -10,9 +10,9 @@ use crate::gui::app::file_flow::questions::{Dialog, FileFlow, Purpose, TitleForm
 use crate::gui::app::state::State;
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::{self, TextField};
-use crate::gui::model::Model;
 use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
 use crate::sanitize;
+use camera_lab_desk::Model;
 use camera_lab_words::window::{Texts, sharing};
 use camera_lab_words::{Lang, told, told_mut};
 

@@ -21,10 +21,10 @@ use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
 use crate::gui::app::launch_options::LANGUAGES;
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::{FamilyChoice, Subject, Varied};
-use crate::gui::model::layout::{Side, WindowPlace};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
+use camera_lab_desk::layout::{Side, WindowPlace};
 pub use store::Preferences;
 
 /// The conventions for the signs of rotations, by the names in `--convention`.
@@ -408,8 +408,8 @@ mod tests {
     use crate::gui::Start;
     use crate::gui::export::family_choice::FamilyChoice;
     use crate::gui::export::{Export, Paper};
-    use crate::gui::model::explained::conventions::Conventions;
     use crate::views::Arrangement;
+    use camera_lab_desk::explained::conventions::Conventions;
     use camera_lab_words::Lang;
 
     fn state() -> State {

@@ -3,6 +3,7 @@
 //!
 //! A window merges its progress into the present content of the file, so two windows lose nothing of each other.
 
+use crate::gui::kit::frames::frames;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Duration;
@@ -14,10 +15,10 @@ use crate::exercises::Progress;
 use crate::gui::app::preferences::answers::{self, NOTHING};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Chosen, Done, Typed};
-use crate::gui::model::Model;
-use crate::gui::model::message::Message;
-use crate::gui::storage::session::{Keeping, News};
-use crate::gui::storage::shared_file::{Change, MAX_WAIT, SharedFile};
+use camera_lab_desk::Model;
+use camera_lab_desk::message::Message;
+use camera_lab_desk::storage::session::{Keeping, News};
+use camera_lab_desk::storage::shared_file::{Change, MAX_WAIT, SharedFile};
 
 /// The progress of one window.
 #[derive(Clone, Debug)]
@@ -98,7 +99,7 @@ impl KeptProgress {
             ctx.request_repaint();
         }
         let job = self.job(learn);
-        self.file.ask(ctx, job);
+        self.file.ask(&frames(ctx), job);
     }
 
     /// Saves the rest, before the window closes.

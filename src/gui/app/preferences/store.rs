@@ -1,5 +1,6 @@
 //! The storage of the preferences.
 
+use crate::gui::kit::frames::frames;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -14,9 +15,9 @@ use crate::gui::app::preferences::{
     recent, values,
 };
 use crate::gui::app::state::State;
-use crate::gui::storage::recent::{Recent, merged};
-use crate::gui::storage::session::{Keeping, News};
-use crate::gui::storage::shared_file::{Change, MAX_WAIT, SharedFile};
+use camera_lab_desk::storage::recent::{Recent, merged};
+use camera_lab_desk::storage::session::{Keeping, News};
+use camera_lab_desk::storage::shared_file::{Change, MAX_WAIT, SharedFile};
 use camera_lab_files as files;
 
 /// The changes of one window.
@@ -126,7 +127,7 @@ impl Preferences {
         self.progress.keep(ctx, &mut state.model, &mut state.learn);
         self.take(&mut state.recent, Duration::ZERO);
         let job = self.job(state);
-        self.file.ask(ctx, job);
+        self.file.ask(&frames(ctx), job);
     }
 
     /// Saves the rest, before the window closes.

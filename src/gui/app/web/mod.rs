@@ -18,10 +18,10 @@ use crate::appearance::Theme;
 use crate::export::format::FIGURE_ENDINGS;
 use crate::figure::Figure;
 use crate::gui::app::file_flow;
-use crate::gui::model::action::AfterSave;
 use crate::gui::platform::native;
 use crate::gui::{App, GuiError, LaunchOptions, Start, State, fresh};
 use crate::scene::import::MESH_ENDINGS;
+use camera_lab_desk::action::AfterSave;
 use camera_lab_files::disk::page::KEPT;
 use camera_lab_files::share;
 use camera_lab_files::{self as files, SourceFile};
@@ -193,7 +193,7 @@ impl Page {
             file_flow::begin(ctx, &mut app.state, AfterSave::Lesson(open));
         }
         if let Some(error) = fault {
-            app.state.model.say(crate::gui::model::message::Message::File(PathBuf::new(), error));
+            app.state.model.say(camera_lab_desk::message::Message::File(PathBuf::new(), error));
         }
         WAKE.set(Some(ctx.clone()));
         Ok(Self { app, title: String::new(), system, full_screen: false, told: false })

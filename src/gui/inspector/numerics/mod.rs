@@ -13,10 +13,10 @@ use crate::gui::kit::focus::keep_in_sight;
 use crate::gui::kit::form::choice;
 use crate::gui::kit::plotting::{color_of, export_button};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
-use crate::gui::model::action::{Action, AfterSave};
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
+use camera_lab_desk::Model;
+use camera_lab_desk::action::{Action, AfterSave};
 use camera_lab_words::why::numerics as words;
 
 /// Interval between looks at the progress.

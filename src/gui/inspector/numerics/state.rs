@@ -1,14 +1,15 @@
 //! The studies of error against run time: the displayed one, the results, and the thread that measures.
 
+use crate::gui::kit::frames::frames;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
 use eframe::egui;
 
-use crate::gui::background::memo::Latest;
-use crate::gui::background::worker::Running;
 use crate::numerics::{self, Effort, Findings, Study};
 use crate::progress::Progress;
+use camera_lab_desk::background::memo::Latest;
+use camera_lab_desk::background::worker::Running;
 
 /// The panel of studies.
 #[derive(Debug)]
@@ -54,7 +55,7 @@ impl Default for Numerics {
 impl Numerics {
     /// Measures the displayed study, beside the window's thread.
     pub fn measure(&mut self, ctx: &egui::Context) {
-        self.measured.ask_again(ctx, (self.study, self.effort));
+        self.measured.ask_again(&frames(ctx), (self.study, self.effort));
     }
 
     /// Begins the displayed study, once, if it hasn't been measured. A running one makes room for it.

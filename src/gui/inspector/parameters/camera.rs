@@ -10,9 +10,9 @@ use crate::gui::inspector::{erratum, section};
 use crate::gui::kit::context_help::help_topic;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
 use crate::scene::Preset;
+use camera_lab_desk::Model;
 use camera_lab_words::window::Texts;
 
 /// C, PF and VUP.

@@ -11,9 +11,9 @@ use crate::gui::inspector::{more, section};
 use crate::gui::kit::context_help::{has_focus, help_topic_row};
 use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
-use crate::gui::model::photograph::PhotographTool;
 use crate::limits;
+use camera_lab_desk::Model;
+use camera_lab_desk::photograph::PhotographTool;
 use camera_lab_words::why::notes;
 use camera_lab_words::window::{self, Texts};
 

@@ -7,7 +7,7 @@ use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::figure::Explanation;
 use crate::gui::inspector::{choice_row, more, section};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
+use camera_lab_desk::Model;
 use camera_lab_words::window;
 
 /// Shading, hidden surfaces and lines, samples, theme.

@@ -5,8 +5,8 @@ use eframe::egui;
 use crate::figure::{WorldPart, WorldParts};
 use crate::gui::inspector::{choice_row, section};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::numbers::significant;
+use camera_lab_desk::Model;
 use camera_lab_words::pictures::labels;
 use camera_lab_words::{Lang, window};
 

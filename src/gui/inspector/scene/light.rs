@@ -8,8 +8,8 @@ use crate::figure::ShadowReveal;
 use crate::gui::inspector::{VectorField, choice_row, complain, row};
 use crate::gui::kit::number_field::{NumberField, Step, whole};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
+use camera_lab_desk::Model;
 use camera_lab_words::window::scenes::Texts;
 
 /// Kind, direction or position. Returns the request of the button.

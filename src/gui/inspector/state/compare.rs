@@ -4,9 +4,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
-use crate::gui::model::Model;
-use crate::gui::model::action::Action;
-use crate::gui::model::message::Message;
+use camera_lab_desk::Model;
+use camera_lab_desk::action::Action;
+use camera_lab_desk::message::Message;
 use camera_lab_files::{FileError, Opened};
 
 /// The values of the dialog that no figure has yet.

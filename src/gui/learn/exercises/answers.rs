@@ -13,8 +13,8 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::kit::{mathematics, prose};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{is_whole, joined};
-use crate::gui::model::Model;
 use crate::limits::MAX_ANSWER;
+use camera_lab_desk::Model;
 use camera_lab_words::learn::{exercise_window as words, exercises as said};
 use camera_lab_words::{Lang, messages};
 

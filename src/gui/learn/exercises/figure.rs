@@ -9,12 +9,12 @@ use crate::camera::{Camera, Parameters};
 use crate::exercises::{Ask, Exercise, Expected, Fact, Subject};
 use crate::figure::points::{free_name, may_be_named};
 use crate::figure::{Figure, NamedPoint};
-use crate::gui::background::memo::Memo;
 use crate::limits::MAX_NAMED_POINTS;
 use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::scene::no_files;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
+use camera_lab_desk::background::memo::Memo;
 use camera_lab_words::{Lang, pictures};
 
 /// The size of the small picture, in pixels.

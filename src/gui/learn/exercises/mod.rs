@@ -20,7 +20,7 @@ use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Checked, Chosen, Done, joined};
-use crate::gui::model::Model;
+use camera_lab_desk::Model;
 use camera_lab_words::learn::exercise_messages as messages;
 use camera_lab_words::learn::exercise_window as words;
 use camera_lab_words::learn::exercise_window::Texts;

@@ -6,9 +6,9 @@ use crate::exercises::{Made, Mistake};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
-use crate::gui::model::Model;
-use crate::gui::model::action::{Action, FileFor};
 use crate::sanitize;
+use camera_lab_desk::Model;
+use camera_lab_desk::action::{Action, FileFor};
 use camera_lab_words::learn::exercise_window::Texts;
 use camera_lab_words::learn::exercises as said;
 

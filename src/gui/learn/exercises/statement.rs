@@ -8,9 +8,9 @@ use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::{Learn, lesson_link};
-use crate::gui::model::Model;
 use crate::lessons::{Way, lesson_of};
 use crate::limits::MAX_EXPRESSION;
+use camera_lab_desk::Model;
 use camera_lab_words::learn::{exercise_messages as messages, exercises as said};
 
 /// Shows the statement.

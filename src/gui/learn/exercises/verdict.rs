@@ -8,8 +8,8 @@ use crate::gui::kit::prose;
 use crate::gui::kit::theme;
 use crate::gui::learn::exercises::state::{Chosen, joined};
 use crate::gui::learn::{Learn, lesson_link};
-use crate::gui::model::Model;
 use crate::lessons::{Way, lesson_of};
+use camera_lab_desk::Model;
 use camera_lab_words::learn::{exercise_messages as messages, exercises as said};
 
 /// Shows the verdict on an answer, and the help. A verdict `just_said` is scrolled into sight.

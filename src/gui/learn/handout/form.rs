@@ -2,10 +2,10 @@
 
 use crate::exercises::Exercise;
 use crate::gui::learn::Learn;
-use crate::gui::model::handout::{Content, Job};
-use crate::handout::HandoutOptions;
 use crate::lessons::{OpenLesson, shipped};
+use camera_lab_desk::handout_job::{Content, Job};
 use camera_lab_words::Lang;
+use camera_lab_words::handout::HandoutOptions;
 
 /// The greatest number for choosing the numbers of the exercises.
 pub(in crate::gui) const MAX_SEED: u32 = 9_999;

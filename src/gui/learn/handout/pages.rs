@@ -1,18 +1,19 @@
 //! Handouts produced beside the window's thread: their pages for the preview, and the file.
 
+use crate::gui::kit::frames::frames;
 use std::time::Duration;
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use crate::clock;
 use crate::export::vector::{Page, pixels};
-use crate::gui::background::worker::Worker;
-use crate::gui::model::export_error::ExportError;
-use crate::gui::model::handout::Job;
-use crate::handout::HandoutOptions;
 use crate::lessons::OpenLesson;
 use crate::picture::PictureError;
 use crate::progress::Progress;
+use camera_lab_desk::background::worker::Worker;
+use camera_lab_desk::export_error::ExportError;
+use camera_lab_desk::handout_job::Job;
+use camera_lab_words::handout::HandoutOptions;
 
 /// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
 const FINENESS: f32 = 1.5;
@@ -96,7 +97,7 @@ impl PagesPreview {
         if self.asked.as_ref().is_some_and(|(asked, shown)| *asked == choices && *shown == page) {
             return;
         }
-        self.worker.ask(ctx, 0, PageJob { choices: choices.clone(), handout: job(), page, width });
+        self.worker.ask(&frames(ctx), 0, PageJob { choices: choices.clone(), handout: job(), page, width });
         self.asked = Some((choices, page));
     }
 }

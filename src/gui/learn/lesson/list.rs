@@ -6,9 +6,9 @@ use crate::gui::kit::focus::at_right;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
-use crate::gui::model::Model;
-use crate::gui::model::action::{Action, AfterSave};
 use crate::lessons::{OpenLesson, shipped};
+use camera_lab_desk::Model;
+use camera_lab_desk::action::{Action, AfterSave};
 use camera_lab_words::learn::lessons as words;
 use camera_lab_words::{told, window};
 

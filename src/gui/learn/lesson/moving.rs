@@ -4,11 +4,11 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Parameters};
 use crate::gui::learn::Learn;
-use crate::gui::model::Model;
-use crate::gui::model::document::Document;
-use crate::gui::model::operations::motion::FADE;
 use crate::lessons::Passage;
 use crate::numbers::round_to;
+use camera_lab_desk::Model;
+use camera_lab_desk::document::Document;
+use camera_lab_desk::operations::motion::FADE;
 
 /// A move from one step to another.
 #[derive(Debug)]

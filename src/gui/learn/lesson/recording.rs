@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use crate::figure::{Bilingual, Figure, Screen};
 use crate::gui::learn::Learn;
-use crate::gui::model::Model;
-use crate::gui::model::layout::Side;
-use crate::gui::model::message::Message;
 use crate::lessons::{Draft, Lesson, with_step};
 use crate::scene::Wanted;
 use crate::views::View;
+use camera_lab_desk::Model;
+use camera_lab_desk::layout::Side;
+use camera_lab_desk::message::Message;
 use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Overwrite};
 use camera_lab_words::learn::lessons as words;
 

@@ -4,14 +4,14 @@ use eframe::egui::{
     self, Button, CollapsingHeader, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId, vec2,
 };
 
+use crate::gui::kit::command::Command;
 use crate::gui::kit::focus::at_right;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::state::Playing;
-use crate::gui::model::Model;
-use crate::gui::model::command::Command;
 use crate::lessons::{self, Task};
+use camera_lab_desk::Model;
 use camera_lab_words::learn::{exercise_sheet, exercises, lessons as words};
 use camera_lab_words::told;
 

@@ -9,8 +9,8 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, exercises};
-use crate::gui::model::Model;
 use crate::lessons::{Step, Task};
+use camera_lab_desk::Model;
 use camera_lab_words::learn::exercises::title;
 use camera_lab_words::learn::lessons::Texts;
 

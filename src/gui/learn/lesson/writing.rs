@@ -8,14 +8,14 @@ use std::sync::Arc;
 use crate::figure::{Bilingual, Figure, FigureError};
 use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::recording::for_lesson;
-use crate::gui::model::Model;
-use crate::gui::model::message::Message;
-use crate::gui::model::unsaved_text::UnsavedText;
 use crate::lessons::{
     Edit, Lesson, LessonText, OpenLesson, StepText, Task, TaskText, Words, edited, reworded, text_of_step, with_step,
     words_in_file,
 };
 use crate::numbers::significant;
+use camera_lab_desk::Model;
+use camera_lab_desk::message::Message;
+use camera_lab_desk::unsaved_text::UnsavedText;
 use camera_lab_files::share;
 use camera_lab_files::{self as files, FileError, Overwrite};
 use camera_lab_words::Lang;

@@ -5,11 +5,11 @@ use eframe::egui::Ui;
 use super::auto_observer::Moment;
 use super::orbit;
 use crate::figure::Observer;
-use crate::gui::model::Model;
-use crate::gui::model::layout::ObserverChange;
-use crate::gui::model::message::Message;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{View, observer_in};
+use camera_lab_desk::Model;
+use camera_lab_desk::layout::ObserverChange;
+use camera_lab_desk::message::Message;
 
 impl Canvas {
     /// Decides the observers of the three-dimensional pictures in this frame.

@@ -4,9 +4,9 @@ use eframe::egui::Vec2;
 use glam::DVec2;
 
 use crate::figure::{Observer, Observers};
-use crate::gui::model::layout::ObserverChange;
 use crate::views::observer::Viewpoint;
 use crate::views::{Request, Size, View};
+use camera_lab_desk::layout::ObserverChange;
 
 /// Degrees of orbit for one point of pointer motion.
 pub(in crate::gui::pictures) const DEGREES_PER_POINT: f64 = 0.5;

@@ -5,13 +5,13 @@ use glam::DVec2;
 
 use crate::figure::labels::note_name;
 use crate::figure::{Labels, Note, NotePlace};
-use crate::gui::model::Model;
 use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::limits::MAX_LABELS;
 use crate::views::{LabelPlace, View, note_place};
+use camera_lab_desk::Model;
 use camera_lab_words::window::labels as words;
 
 /// A held label.

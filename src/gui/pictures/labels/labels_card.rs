@@ -12,13 +12,13 @@ use crate::figure::{Letters, Measure, MeasureText};
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
 use crate::sanitize::escaped;
 use crate::text::{Face, face};
 use crate::views::{View, unknown_labels};
+use camera_lab_desk::Model;
 use camera_lab_words::window::labels as words;
 use camera_lab_words::window::labels::Texts;
 

@@ -9,12 +9,12 @@ use glam::DVec2;
 
 use crate::appearance::Rgba;
 use crate::camera::{PhotographCamera, WorldAxis};
-use crate::gui::model::Model;
-use crate::gui::model::photograph::{Drawn, Grip, PhotographTool, SHORTEST};
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{Palette, View};
+use camera_lab_desk::Model;
+use camera_lab_desk::photograph::{Drawn, Grip, PhotographTool, SHORTEST};
 use camera_lab_words::window::photograph as words;
 
 /// The radius of a grip, and that in which the pointer catches it, in points.

@@ -3,8 +3,8 @@
 use glam::{DQuat, DVec2, DVec3};
 
 use crate::camera::{Camera, Convention, Operation, Parameters, Projection};
-use crate::gui::model::Model;
 use crate::views::{Request, pick};
+use camera_lab_desk::Model;
 
 /// Degrees for one point of a drag.
 const DEGREES_PER_POINT: f64 = 0.4;

@@ -3,11 +3,11 @@
 use eframe::egui::Context;
 use glam::{DVec2, DVec3};
 
-use crate::gui::model::Model;
 use crate::gui::pictures::Pane;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::sanitize::escaped;
 use crate::views::{Request, named_points};
+use camera_lab_desk::Model;
 use camera_lab_words::why::explain_point;
 
 /// A held point.

@@ -13,10 +13,6 @@ use super::pixel::pixel_of;
 use super::probe_steps::Click;
 use crate::camera::{Convention, Operation};
 use crate::geometry::Angle;
-use crate::gui::model::Model;
-use crate::gui::model::layout::ObserverChange;
-use crate::gui::model::operations::placing::Placing;
-use crate::gui::model::photograph::PhotographTool;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::labels::label_mode::LabelMode;
@@ -26,6 +22,10 @@ use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
 use crate::views::{Handle, Hover, Probe, Request, Transforming, View, pick};
+use camera_lab_desk::Model;
+use camera_lab_desk::layout::ObserverChange;
+use camera_lab_desk::operations::placing::Placing;
+use camera_lab_desk::photograph::PhotographTool;
 use camera_lab_words::window::canvas::CanvasTexts;
 
 /// Logarithm of the zoom for one point of the wheel.

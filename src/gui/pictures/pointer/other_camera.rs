@@ -3,11 +3,11 @@
 use glam::DVec2;
 
 use super::handle_drag;
-use crate::gui::model::Model;
-use crate::gui::model::action::Action;
 use crate::gui::pictures::Pane;
 use crate::sanitize::escaped;
 use crate::views::{Request, View, camera_at};
+use camera_lab_desk::Model;
+use camera_lab_desk::action::Action;
 use camera_lab_words::window::cameras;
 
 /// The place in the list of the camera at the pointer (pixels).

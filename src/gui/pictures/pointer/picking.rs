@@ -1,17 +1,18 @@
 //! Finds the target of the pointer: immediately in a light scene, beside the window's thread in a heavy one, so that
 //! neither the pointer nor the pictures wait for a walk through a million triangles.
 
+use crate::gui::kit::frames::frames;
 use eframe::egui;
 use glam::{DVec2, DVec3};
 
 use super::keyboard_probe::ProbeStep;
 use super::pixel::{center_of, pixel_of};
 use crate::figure::Depth;
-use crate::gui::background::memo::{Latest, MAX_WAIT};
-use crate::gui::model::scene_cache::is_heavy;
 use crate::progress::{Progress, at_once, pause};
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Request, View, pick};
+use camera_lab_desk::background::memo::{Latest, MAX_WAIT};
+use camera_lab_desk::scene_cache::is_heavy;
 
 /// Distance within which the pointer catches a vertex, in points.
 pub(in crate::gui::pictures) const REACH: f32 = 7.0;
@@ -144,7 +145,7 @@ impl Picker {
         if !pick.is_heavy() {
             return Some(at_once(pick.find()));
         }
-        self.found.ask(ctx, pick.clone());
+        self.found.ask(&frames(ctx), pick.clone());
         self.found.poll(MAX_WAIT);
         self.found.newest().filter(|(last, _)| *last == pick).map(|(_, found)| found.clone())
     }

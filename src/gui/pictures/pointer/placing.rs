@@ -4,13 +4,13 @@
 use eframe::egui::{Align2, Color32, CursorIcon, Key, Modifiers, Stroke, TextStyle, Ui, vec2};
 use glam::DVec2;
 
-use crate::gui::model::Model;
-use crate::gui::model::action::Action;
-use crate::gui::model::operations::placing::Placing;
 use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{View, pick};
+use camera_lab_desk::Model;
+use camera_lab_desk::action::Action;
+use camera_lab_desk::operations::placing::Placing;
 
 /// Half a side of the cross, and the radius of the rings, in points.
 const CROSS: f32 = 11.0;

@@ -7,11 +7,11 @@ use glam::DVec2;
 use super::keyboard_probe::ProbeStep;
 use super::picking::{PickQuery, PickRequest};
 use crate::figure::Explanation;
-use crate::gui::model::Model;
-use crate::gui::model::layout::{Side, Tab};
-use crate::gui::model::scene_tree::Selected;
 use crate::gui::pictures::{Canvas, Inputs, Pane};
 use crate::views::{Hover, Request, View};
+use camera_lab_desk::Model;
+use camera_lab_desk::layout::{Side, Tab};
+use camera_lab_desk::scene_tree::Selected;
 
 /// A click on an object or on a triangle.
 pub(in crate::gui::pictures) struct Click {

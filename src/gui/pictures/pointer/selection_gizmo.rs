@@ -5,14 +5,14 @@ use std::collections::BTreeSet;
 use glam::{DMat4, DVec3};
 
 use crate::geometry::{Angle, try_unit};
-use crate::gui::model::Model;
-use crate::gui::model::scene_tree::Selected;
 use crate::numbers::round_to;
 use crate::scene::edit::placement;
 use crate::scene::transform::{Transform, frame, transform, turned};
 use crate::scene::{Light, LightKind, SceneError, SceneSpec};
 use crate::views::transform_gizmo::Pull;
 use crate::views::{GizmoPart, TransformGizmo, Transforming};
+use camera_lab_desk::Model;
+use camera_lab_desk::scene_tree::Selected;
 
 /// The step of turns while the modifier is held, in degrees.
 const SNAP_TURN: f64 = 15.0;

@@ -2,10 +2,10 @@
 
 use eframe::egui::Ui;
 
-use crate::gui::model::Model;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::View;
+use camera_lab_desk::Model;
 
 impl Canvas {
     /// Lets two fingers move and zoom a three-dimensional picture. True while they are on it. Takes back the action

@@ -1,15 +1,16 @@
 //! The vertex at a point: its number and its object.
 
+use crate::gui::kit::frames::frames;
 use eframe::egui;
 use glam::DVec3;
 
-use crate::gui::background::memo::{Latest, MAX_WAIT, Memo};
-use crate::gui::model::scene_cache::is_heavy;
-use crate::gui::model::scene_tree::{Selected, preset_objects};
 use crate::progress::Progress;
 use crate::scene::edit::placements;
 use crate::scene::{Scene, SceneSpec, ShapeData};
 use crate::views::SharedScene;
+use camera_lab_desk::background::memo::{Latest, MAX_WAIT, Memo};
+use camera_lab_desk::scene_cache::is_heavy;
+use camera_lab_desk::scene_tree::{Selected, preset_objects};
 
 /// A vertex, as people call it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,7 +65,7 @@ impl VertexNames {
         let place = (scene.clone(), p);
         let mut searched = None;
         if is_heavy(scene) {
-            self.search.ask(ctx, place.clone());
+            self.search.ask(&frames(ctx), place.clone());
             self.search.poll(MAX_WAIT);
             searched = Some(self.search.answer()?.clone());
         }

@@ -3,9 +3,9 @@
 use eframe::egui::{CursorIcon, EventFilter, Id, Key, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec2;
 
-use crate::gui::model::Model;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{Request, Side};
+use camera_lab_desk::Model;
 use camera_lab_words::window::compare as words;
 
 /// Half the width of the strip in which the pointer catches the wiper, and the radius of its handle, in points.

@@ -1,5 +1,6 @@
 //! The system's file dialogs, on a thread of their own, because they block.
 
+use crate::gui::kit::frames::frames;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::pin::Pin;
@@ -9,8 +10,8 @@ use eframe::egui;
 
 use super::{FileAnswer, FileQuestion, Wanted};
 use crate::clock;
-use crate::gui::background::worker::{Done, Worker};
 use crate::progress::Progress;
+use camera_lab_desk::background::worker::{Done, Worker};
 
 /// A user can't read and close a dialog this fast, so there was none.
 const IMPOSSIBLE: Duration = Duration::from_millis(100);
@@ -44,7 +45,7 @@ impl OpenFileDialog {
         let mut worker = Worker::new("dialog", clock::now, || {
             async |chosen: Chosen, _: &Progress| pollster::block_on(chosen).map(|file| file.path().to_owned())
         });
-        worker.ask(ctx, 0, chosen);
+        worker.ask(&frames(ctx), 0, chosen);
         Self { worker }
     }
 

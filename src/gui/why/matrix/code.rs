@@ -7,8 +7,8 @@ use crate::explain::code::CodeTarget;
 use crate::gui::kit::form::choice;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
+use camera_lab_desk::Model;
 use camera_lab_words::why::{code, dialects, explain};
 
 /// Shows the tab.

@@ -5,8 +5,8 @@ use eframe::egui;
 use crate::camera::{Api, Ndc};
 use crate::gui::kit::form::{choice_row, complaint};
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::gui::why::state::explain::Explain;
+use camera_lab_desk::Model;
 use camera_lab_words::why::conventions;
 use camera_lab_words::why::conventions::{Texts, finite_instead};
 

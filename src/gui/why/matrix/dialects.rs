@@ -12,10 +12,10 @@ use crate::gui::kit::form::{complaint, section};
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::model::Model;
 use crate::gui::why::measures::of_symbol;
 use crate::gui::why::state::explain::Explain;
 use crate::numbers::{is_rest, power_of_ten};
+use camera_lab_desk::Model;
 use camera_lab_words::why::dialects;
 use camera_lab_words::{messages, window};
 

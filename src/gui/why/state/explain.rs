@@ -7,11 +7,11 @@ use crate::camera::{Axes, CameraError, ImageSize, MatrixKind, Parameters};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
 use crate::figure::Explanation;
-use crate::gui::background::memo::Memo;
-use crate::gui::model::Model;
 use crate::views::SharedScene;
+use camera_lab_desk::Model;
+use camera_lab_desk::background::memo::Memo;
 
-/// The explanations. Their visibility is in [`Panels`](crate::gui::model::layout::Panels).
+/// The explanations. Their visibility is in [`Panels`](camera_lab_desk::layout::Panels).
 #[derive(Debug)]
 pub struct Explain {
     /// The explanation of order.

@@ -1,16 +1,17 @@
 //! The triangle followed step by step. Its pixels are found beside the window's thread in heavy scenes.
 
+use crate::gui::kit::frames::frames;
 use std::sync::Arc;
 
 use eframe::egui;
 
 use crate::figure::{ShownTriangle, TriangleStep};
-use crate::gui::background::memo::{Latest, MAX_WAIT};
-use crate::gui::model::scene_cache::is_heavy;
 use crate::picture::{FollowedTriangle, TrianglePixels};
 use crate::pipeline::one_triangle::TriangleSteps;
 use crate::progress::{Progress, at_once};
 use crate::views::Request;
+use camera_lab_desk::background::memo::{Latest, MAX_WAIT};
+use camera_lab_desk::scene_cache::is_heavy;
 
 /// The numbers of the triangle followed step by step.
 #[derive(Debug)]
@@ -54,7 +55,7 @@ impl TriangleNumbers {
         }
         // The same for each step that needs them.
         let triangle = ShownTriangle { step: TriangleStep::Pixels, pixel: None, ..triangle.clone() };
-        self.search.ask(ctx, request.clone().with_shot(|shot| shot.show.triangle = Some(triangle.clone())));
+        self.search.ask(&frames(ctx), request.clone().with_shot(|shot| shot.show.triangle = Some(triangle.clone())));
         self.search.poll(MAX_WAIT);
         let covered = match self.search.answer() {
             Some(pixels) => Covered::Found(pixels.clone()),

@@ -1,0 +1,125 @@
+//! The actions that one feature requests from another.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::camera::Decomposition;
+use crate::chart::Chart;
+use crate::export::plot::Block;
+use crate::lessons::{Lesson, OpenLesson};
+use crate::operations::placing::Mark;
+
+/// A request of one feature to another. The window performs it once the panels of the frame are drawn.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// Ask for a file to read or to write.
+    File(FileFor),
+    /// Do this once nothing can be lost any more.
+    Begin(AfterSave),
+    /// Play the lesson on offer in the line above the window.
+    Offered(OpenLesson),
+    /// Ask if the objects below the deleted ones go too.
+    Delete {
+        /// Their names.
+        names: BTreeSet<String>,
+        /// Number of other objects below them.
+        below: usize,
+    },
+    /// Ask if the progress in exercises is to be deleted.
+    DeleteProgress,
+    /// Look through another camera of the figure, by its place in the list.
+    LookThrough(usize),
+    /// Put the mark of a question for a place there, in pixels of the image from its left upper corner.
+    PutMark(Mark, [f64; 2]),
+    /// Show the camera check.
+    Coach,
+    /// Forget the state that belonged to the figure before this one.
+    ForgetFigure,
+    /// Show the comparison.
+    Compare,
+    /// Show the list of lessons.
+    Lessons,
+    /// Show a note.
+    Note(&'static str),
+}
+
+impl Action {
+    /// Plays a built-in lesson from a step.
+    pub fn lesson(lesson: Arc<Lesson>, step: usize) -> Self {
+        Self::Begin(AfterSave::Lesson(OpenLesson { lesson, path: None, step }))
+    }
+
+    /// Asks where to write a chart with this title.
+    pub fn chart(title: &str, chart: Chart) -> Self {
+        Self::File(FileFor::Chart(Box::new(Block { title: title.to_owned(), rows: vec![vec![chart]] })))
+    }
+}
+
+/// A file that a feature asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileFor {
+    /// To put a mesh into the scene.
+    Mesh(MeshFor),
+    /// To put a texture on the object of this name.
+    Texture(String),
+    /// To put a photograph under the image.
+    Photograph,
+    /// To compare the figure with the one in it.
+    CompareWith,
+    /// To write the way to the canonical volume, by these steps, as an animation or a strip, depending on the ending of
+    /// the name.
+    Animation(Decomposition),
+    /// To write a chart.
+    Chart(Box<Block>),
+    /// To export progress in exercises, as a table for spreadsheets.
+    Progress,
+    /// A folder of a lecturer's own exercises.
+    Exercises,
+}
+
+/// An action to perform once nothing can be lost any more.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum AfterSave {
+    /// The default figure.
+    New,
+    /// Ask for a file and open it.
+    Open,
+    /// Open this file.
+    OpenPath(PathBuf),
+    /// Open the built-in figure with this name.
+    Shipped(&'static str),
+    /// Open the figure of this text.
+    Text(String),
+    /// Play this lesson.
+    Lesson(OpenLesson),
+    /// End the lesson. The figure of its step stays.
+    LeaveLesson,
+    /// Write the lesson to which steps were added last.
+    WriteRecorded,
+    /// Read the file of the lesson being written again.
+    ReadLesson,
+    /// Read the figure's own file again.
+    Reload,
+    /// Restore the session of this slot.
+    Restore(usize),
+    /// Close the window.
+    Quit,
+}
+
+impl AfterSave {
+    /// True if it loses the figure of the window.
+    pub fn replaces_figure(&self) -> bool {
+        // Work in the steps of a lesson is kept if its file is read again.
+        !matches!(self, Self::LeaveLesson | Self::ReadLesson)
+    }
+}
+
+/// The use of a mesh file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MeshFor {
+    /// A new object.
+    New,
+    /// This object, by name.
+    Object(String),
+}

@@ -1,0 +1,512 @@
+//! The owner of all documents of the window: the one that is shown, and those that wait in a place of their own.
+//!
+//! ```text
+//! shown ── a figure of an exercise comes ──▶ behind it ── undo ──▶ shown, and the other one in front of it
+//! shown ── another step, another figure ──▶ its step, or left ── back to it ──▶ shown
+//! left  ── the window closes: each is shown and asked about ──▶ given up, until the window is closed or goes on
+//! ```
+
+use super::document::Document;
+use super::document::source::Source;
+use super::history::Revision;
+use crate::camera::CameraError;
+use crate::figure::Figure;
+
+/// The documents.
+#[derive(Clone, Debug)]
+pub struct Desk {
+    /// The document in the views.
+    pub shown: Document,
+    /// The hidden documents. Of two in places of one kind, the later one came last.
+    held: Vec<Held>,
+    /// The changes that count as work in a step of a lesson, while one is played.
+    steps: Option<StepWork>,
+}
+
+/// A hidden document.
+#[derive(Clone, Debug)]
+struct Held {
+    document: Document,
+    place: Place,
+}
+
+/// The place of a hidden document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Place {
+    /// Behind the document with this number. Undoing past its first step leads here.
+    Behind(Revision),
+    /// In front of the document with this number. Undoing led away, and redoing leads back.
+    InFront(Revision),
+    /// In a step of the lesson, from 0, until the step is shown again.
+    Step(usize),
+    /// Left with changes, until its figure is opened again.
+    Left,
+    /// The user has decided not to save it while closing the window.
+    GivenUp,
+}
+
+/// The changes in a step of a lesson that count as work. A step is there to be tried. Another camera, image or way of
+/// drawing isn't marked, isn't stored, and ends with the step. The user's own objects, lights, points, labels and
+/// titles are work, treated as in every other figure. They are marked (•), survive a crash, wait in their step while
+/// other steps are shown, and every action that would end them asks first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum StepWork {
+    /// What the user has built.
+    Built,
+    /// Every change, since the lesson is being written and the change may become a step.
+    All,
+}
+
+impl Desk {
+    /// Shows a document, and holds no other.
+    pub fn new(shown: Document) -> Self {
+        Self { shown, held: Vec::new(), steps: None }
+    }
+
+    /// True if a document has changes that mustn't be lost.
+    fn is_work(&self, document: &Document) -> bool {
+        if self.steps == Some(StepWork::Built) { document.is_built_on() } else { document.is_changed() }
+    }
+
+    /// True if the shown document has changes that mustn't be lost.
+    pub fn shows_work(&self) -> bool {
+        self.is_work(&self.shown)
+    }
+
+    /// Makes an undo step of the changes since the last one. Call it when no pointer or key is held, so that a drag is
+    /// one step.
+    pub fn commit(&mut self) {
+        if self.shown.commit() {
+            self.drop_in_front();
+        }
+    }
+
+    /// True if there is a step to undo (`back`), or to redo.
+    pub fn can_undo(&self, back: bool) -> bool {
+        self.shown.can_undo(back) || self.neighbour(back).is_some()
+    }
+
+    /// Goes one step `back`, or forward.
+    pub fn undo(&mut self, back: bool) {
+        self.commit();
+        if self.shown.can_undo(back) {
+            return self.shown.undo(back);
+        }
+        let Some(index) = self.neighbour(back) else { return };
+        let Held { document, .. } = self.held.remove(index);
+        let id = document.id();
+        let place = if back { Place::InFront(id) } else { Place::Behind(id) };
+        self.held.push(Held { document: std::mem::replace(&mut self.shown, document), place });
+    }
+
+    /// The document behind the shown one (`back`), or in front of it.
+    fn neighbour(&self, back: bool) -> Option<usize> {
+        let id = self.shown.id();
+        let place = if back { Place::Behind(id) } else { Place::InFront(id) };
+        self.held.iter().position(|held| held.place == place)
+    }
+
+    /// Takes another figure over in the shown document, as one undo step.
+    ///
+    /// # Errors
+    /// [`CameraError`] if the figure's camera is impossible. Nothing has changed then.
+    pub fn replace(&mut self, figure: Figure) -> Result<(), CameraError> {
+        self.commit();
+        self.shown.replace(figure)?;
+        self.drop_in_front();
+        Ok(())
+    }
+
+    /// Shows another figure in front of the document, as one undo step. It's a document without a file, so saving asks
+    /// for one. The document waits behind it with its file and its changes.
+    ///
+    /// # Errors
+    /// [`CameraError`] if the figure's camera is impossible. Nothing has changed then.
+    pub fn show_in_front(&mut self, figure: Figure) -> Result<(), CameraError> {
+        let shown = self.shown.beside(figure)?;
+        self.commit();
+        // A new step drops the steps to redo, as always.
+        self.shown.forget_future();
+        self.drop_in_front();
+        let (place, before) = (Place::Behind(shown.id()), self.neighbour(true));
+        let left = std::mem::replace(&mut self.shown, shown);
+        match before {
+            // A displayed figure without changes doesn't need a way back, so there is no chain of them.
+            Some(before) if !left.is_changed() => self.held[before].place = place,
+            _ => self.held.push(Held { document: left, place }),
+        }
+        Ok(())
+    }
+
+    /// A new step drops the documents in front, like the steps to redo.
+    fn drop_in_front(&mut self) {
+        while let Some(index) = self.neighbour(false) {
+            let id = self.held.remove(index).document.id();
+            // One that lies in front of it would never be reached.
+            self.held.iter_mut().filter(|held| held.place == Place::InFront(id)).for_each(|held| {
+                held.place = Place::InFront(self.shown.id());
+            });
+        }
+    }
+
+    /// Shows another document. The shown one is lost, unless the caller has put it away, so ask first. Work behind it
+    /// is kept.
+    pub fn take_over(&mut self, document: Document) {
+        self.keep_behind();
+        self.drop_in_front();
+        self.shown = document;
+    }
+
+    /// Keeps the shown document, if it has changes, because another one is about to take its place.
+    pub fn keep_shown(&mut self) {
+        self.keep_behind();
+        self.hold(self.shown.clone(), Place::Left);
+    }
+
+    fn hold(&mut self, document: Document, place: Place) {
+        if document.is_changed() {
+            self.held.push(Held { document, place });
+        }
+    }
+
+    /// Keeps the work behind the shown document, and forgets the rest there.
+    pub fn keep_behind(&mut self) {
+        for document in self.take_behind(self.shown.id()) {
+            if self.is_work(&document) {
+                self.hold(document, Place::Left);
+            }
+        }
+    }
+
+    /// Takes the documents behind another one, the nearest first.
+    fn take_behind(&mut self, mut id: Revision) -> Vec<Document> {
+        let mut taken = Vec::new();
+        while let Some(index) = self.held.iter().position(|held| held.place == Place::Behind(id)) {
+            let document = self.held.remove(index).document;
+            id = document.id();
+            taken.push(document);
+        }
+        taken
+    }
+
+    /// Puts the work in the shown document, or the nearest behind it, into the step that is left. What lies behind that
+    /// stays there.
+    pub fn leave_step(&mut self, step: usize) {
+        let mut left = Some(self.shown.clone());
+        while let Some(document) = left.take_if(|document| !self.is_work(document)) {
+            let behind = self.held.iter().position(|held| held.place == Place::Behind(document.id()));
+            left = behind.map(|index| self.held.remove(index).document);
+        }
+        if let Some(document) = left {
+            self.held.retain(|held| held.place != Place::Step(step));
+            self.held.push(Held { document, place: Place::Step(step) });
+        }
+    }
+
+    /// The document that waits in a step, to show it again.
+    pub fn take_from_step(&mut self, step: usize) -> Option<Document> {
+        self.take(|held| held.place == Place::Step(step))
+    }
+
+    /// Gives the documents that wait in steps other steps. Those without one are left, and so is what lies behind them.
+    pub fn move_steps(&mut self, to: impl Fn(usize) -> Option<usize>) {
+        let (mut moved, mut left) = (Vec::new(), Vec::new());
+        for held in std::mem::take(&mut self.held) {
+            match held.place {
+                Place::Step(step) => match to(step) {
+                    Some(step) => moved.push(Held { place: Place::Step(step), ..held }),
+                    None => left.push(held.document),
+                },
+                _ => moved.push(held),
+            }
+        }
+        self.held = moved;
+        for document in left {
+            let behind = self.take_behind(document.id());
+            std::iter::once(document).chain(behind).for_each(|document| self.hold(document, Place::Left));
+        }
+    }
+
+    /// Ends the lesson. The work of its steps is kept.
+    pub fn leave_lesson(&mut self) {
+        self.move_steps(|_| None);
+        self.steps = None;
+    }
+
+    /// Begins a lesson, or goes on with it.
+    pub fn play_lesson(&mut self) {
+        self.steps.get_or_insert(StepWork::Built);
+    }
+
+    /// From now on every change in a step counts, because the lesson is being written.
+    pub fn write_lesson(&mut self) {
+        self.steps = Some(StepWork::All);
+    }
+
+    /// True while a lesson is played.
+    pub fn plays_lesson(&self) -> bool {
+        self.steps.is_some()
+    }
+
+    /// A document from this source that was left with changes.
+    pub fn take_left(&mut self, source: Option<&Source>) -> Option<Document> {
+        self.take(|held| held.place == Place::Left && Source::of(&held.document).as_ref() == source)
+    }
+
+    fn take(&mut self, is_it: impl Fn(&Held) -> bool) -> Option<Document> {
+        let index = self.held.iter().position(is_it)?;
+        Some(self.held.remove(index).document)
+    }
+
+    /// The sources of the documents that were left with changes.
+    pub fn left(&self) -> impl Iterator<Item = Option<Source>> {
+        self.held.iter().filter(|held| held.place == Place::Left).map(|held| Source::of(&held.document))
+    }
+
+    /// The hidden documents with work.
+    pub fn held(&self) -> Vec<&Document> {
+        let mut behind_shown = vec![self.shown.id()];
+        for held in self.held.iter().rev() {
+            if matches!(held.place, Place::Behind(id) if behind_shown.contains(&id)) {
+                behind_shown.push(held.document.id());
+            }
+        }
+        let is_lost = |held: &&Held| match held.place {
+            // Redoing may lead there, or not.
+            Place::InFront(_) => false,
+            Place::Behind(id) if behind_shown.contains(&id) => self.is_work(&held.document),
+            Place::Behind(_) | Place::Step(_) | Place::Left | Place::GivenUp => held.document.is_changed(),
+        };
+        self.held.iter().filter(is_lost).map(|held| &held.document).collect()
+    }
+
+    /// A document by its number, also a hidden one.
+    pub fn by_id(&mut self, id: Revision) -> Option<&mut Document> {
+        let held = self.held.iter_mut().map(|held| &mut held.document);
+        std::iter::once(&mut self.shown).chain(held).find(|document| document.id() == id)
+    }
+
+    /// The next document that closing the window would lose, to show it and ask. `None` if there are none left.
+    /// `gives_up` is true if the shown one has changes that the user doesn't want.
+    pub fn next_to_close(&mut self, gives_up: bool) -> Option<Document> {
+        self.keep_behind();
+        self.move_steps(|_| None);
+        let last = self.held.iter().rposition(|held| held.place == Place::Left)?;
+        let next = self.held.remove(last).document;
+        if gives_up {
+            // If the window isn't closed after all, the figure is still there.
+            self.held.push(Held { document: self.shown.clone(), place: Place::GivenUp });
+        }
+        Some(next)
+    }
+
+    /// Keeps what the user gave up, because the window isn't closed.
+    pub fn keep_given_up(&mut self) {
+        for held in self.held.iter_mut().filter(|held| held.place == Place::GivenUp) {
+            held.place = Place::Left;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use std::path::PathBuf;
+
+    use glam::DVec3;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::figure::NamedPoint;
+    use camera_lab_files::Renamed;
+
+    /// An act of the user, with the answer to the question that it raises.
+    #[derive(Clone, Copy, Debug)]
+    enum Act {
+        Build,
+        Turn,
+        Undo(bool),
+        Save,
+        Exercise,
+        Open(Answer),
+        Next,
+        Back(usize),
+        Play(Answer),
+        Write,
+        Step(usize),
+        MoveSteps,
+        LeaveLesson,
+        Close(Answer),
+    }
+
+    #[derive(Clone, Copy, Debug)]
+    enum Answer {
+        Save,
+        Discard,
+        Cancel,
+    }
+
+    fn act() -> impl Strategy<Value = Act> {
+        let answer = || prop_oneof![Just(Answer::Save), Just(Answer::Discard), Just(Answer::Cancel)];
+        prop_oneof![
+            4 => Just(Act::Build),
+            1 => Just(Act::Turn),
+            3 => any::<bool>().prop_map(Act::Undo),
+            1 => Just(Act::Save),
+            2 => Just(Act::Exercise),
+            2 => answer().prop_map(Act::Open),
+            1 => Just(Act::Next),
+            1 => (0_usize..4).prop_map(Act::Back),
+            2 => answer().prop_map(Act::Play),
+            1 => Just(Act::Write),
+            4 => (0_usize..4).prop_map(Act::Step),
+            1 => Just(Act::MoveSteps),
+            1 => Just(Act::LeaveLesson),
+            1 => answer().prop_map(Act::Close),
+        ]
+    }
+
+    /// A desk, the step of its lesson, and the marks that the user has put into figures and neither saved, undone nor
+    /// given up.
+    struct Trial {
+        desk: Desk,
+        step: usize,
+        marks: Vec<u32>,
+        count: u32,
+    }
+
+    fn document() -> Document {
+        Document::new(Figure::default(), None).unwrap()
+    }
+
+    fn has(document: &Document, mark: u32) -> bool {
+        document.figure().points.iter().any(|point| point.position.x == f64::from(mark))
+    }
+
+    impl Trial {
+        fn forget_shown(&mut self) {
+            let shown = self.desk.shown.clone();
+            self.marks.retain(|mark| !has(&shown, *mark));
+        }
+
+        fn save(&mut self) {
+            self.desk.commit();
+            let figure = self.desk.shown.figure().clone();
+            self.desk.shown.mark_saved(PathBuf::from("/a.toml"), String::new(), figure, &Renamed::new());
+            self.forget_shown();
+        }
+
+        /// Asks about the shown document. False if the user cancels.
+        fn ask(&mut self, answer: Answer) -> bool {
+            match answer {
+                _ if !self.desk.shows_work() => {}
+                Answer::Save => self.save(),
+                Answer::Discard => self.forget_shown(),
+                Answer::Cancel => return false,
+            }
+            true
+        }
+
+        fn leave_lesson(&mut self) {
+            if self.desk.plays_lesson() {
+                self.desk.leave_lesson();
+            }
+        }
+
+        fn take_over(&mut self, document: Document) {
+            self.desk.keep_behind();
+            self.leave_lesson();
+            self.desk.take_over(document);
+        }
+
+        fn perform(&mut self, act: Act) {
+            match act {
+                Act::Build => {
+                    self.count += 1;
+                    let (mark, name) = (self.count, format!("Q{}", self.count));
+                    let point = NamedPoint { name, position: DVec3::new(f64::from(mark), 0.0, 0.0) };
+                    self.desk.shown.edit(|figure| figure.points.push(point));
+                    self.desk.commit();
+                    self.marks.push(mark);
+                }
+                Act::Turn => {
+                    let far = self.desk.shown.draft().far + 1.0;
+                    let parameters = crate::camera::Parameters { far, ..*self.desk.shown.draft() };
+                    self.desk.shown.set_parameters(parameters);
+                    self.desk.commit();
+                }
+                Act::Undo(back) => {
+                    let before = self.desk.shown.clone();
+                    self.desk.undo(back);
+                    let after = self.desk.shown.clone();
+                    if before.id() == after.id() {
+                        // The user takes it back, and may repeat it until another step is made.
+                        self.marks.retain(|mark| !has(&before, *mark) || has(&after, *mark));
+                    } else {
+                        self.marks.retain(|mark| !has(&before, *mark) || !back);
+                    }
+                }
+                Act::Save => self.save(),
+                Act::Exercise => self.desk.show_in_front(Figure::default()).unwrap(),
+                Act::Open(answer) if self.ask(answer) => self.take_over(document()),
+                Act::Next => {
+                    self.desk.keep_shown();
+                    self.take_over(document());
+                }
+                Act::Back(place) => {
+                    let left: Vec<_> = self.desk.left().collect();
+                    if let Some(source) = left.get(place)
+                        && self.ask(Answer::Save)
+                        && let Some(document) = self.desk.take_left(source.as_ref())
+                    {
+                        self.take_over(document);
+                    }
+                }
+                Act::Play(answer) if self.ask(answer) => {
+                    self.take_over(document());
+                    self.desk.play_lesson();
+                    self.step = 0;
+                }
+                Act::Write if self.desk.plays_lesson() => self.desk.write_lesson(),
+                Act::Step(step) if self.desk.plays_lesson() => {
+                    self.desk.leave_step(self.step);
+                    let next = self.desk.take_from_step(step).unwrap_or_else(document);
+                    self.desk.keep_behind();
+                    self.desk.take_over(next);
+                    self.step = step;
+                }
+                Act::MoveSteps => self.desk.move_steps(|step| step.checked_sub(1)),
+                Act::LeaveLesson => self.leave_lesson(),
+                Act::Close(answer) => {
+                    // The user gives up the first document, and then stays.
+                    if self.ask(answer)
+                        && let Some(next) = self.desk.next_to_close(self.desk.shows_work())
+                    {
+                        self.take_over(next);
+                    }
+                    self.desk.keep_given_up();
+                }
+                Act::Open(_) | Act::Play(_) | Act::Write | Act::Step(_) => {}
+            }
+        }
+
+        fn holds(&self, mark: u32) -> bool {
+            has(&self.desk.shown, mark) || self.desk.held().into_iter().any(|document| has(document, mark))
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #[test]
+        fn work_is_held_or_saved_or_given_up(acts in prop::collection::vec(act(), 0..40)) {
+            let mut trial = Trial { desk: Desk::new(document()), step: 0, marks: Vec::new(), count: 0 };
+            for (k, act) in acts.iter().enumerate() {
+                trial.perform(*act);
+                for mark in &trial.marks {
+                    prop_assert!(trial.holds(*mark), "mark {mark} is lost by {act:?}, act {k}");
+                }
+            }
+        }
+    }
+}

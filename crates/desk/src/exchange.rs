@@ -1,0 +1,75 @@
+//! What the parts of the window tell each other from frame to frame.
+
+use crate::camera::Camera;
+use crate::figure::{Observers, TransformPreview};
+use crate::layout::ObserverChange;
+use crate::pipeline::StageReport;
+use crate::shown::{OpenPanels, PanelHover};
+use crate::views::{Probe, View};
+
+/// Values of a frame. Nothing here is stored, and each could be found again from the rest of the model.
+#[derive(Debug)]
+pub struct Exchange {
+    /// Width and height of each view on the screen, in pixels, in the order of [`View::ALL`].
+    ///
+    /// *Set by* the views. *Read by* the export dialog and the observers of a saved figure. *Lives* until it changes.
+    pub picture_sizes: [[u32; 2]; View::COUNT],
+    /// Pixels for one unit of stroke width in the views.
+    ///
+    /// *Set by* the views. *Read by* the same two. *Lives* until it changes.
+    pub screen_scale: f32,
+    /// An observer for both three-dimensional views.
+    ///
+    /// *Set by* commands, lessons and exercises. *Read by* the views, which take it. *Lives* until the next frame.
+    pub observer_change: Option<ObserverChange>,
+    /// True if no field on the screen shows the fault of the parameters, because its section is closed.
+    ///
+    /// *Set by* the parameters. *Read by* them in the next frame, for a line above. *Lives* until then.
+    pub problem_out_of_sight: bool,
+    /// The hover of the panels.
+    ///
+    /// *Set by* the panels. *Read by* the views. *Lives* for a frame.
+    pub hover: PanelHover,
+    /// The last observers of the views. `None` if they haven't been shown.
+    ///
+    /// *Set by* the views. *Read by* saving, sessions and lessons, which store the figure as seen. *Lives* until it changes.
+    pub seen: Observers,
+    /// The open panels, of those that explain something in the views.
+    ///
+    /// *Set and read by* the explanations. *Lives* until the next frame, which compares it with its own.
+    pub open_panels: OpenPanels,
+    /// The target of the pointer.
+    ///
+    /// *Set by* the views. *Read by* the explanations and the card. *Lives* until the pointer moves.
+    pub probe: Option<Probe>,
+    /// The camera that an answer describes.
+    ///
+    /// *Set by* the exercises. *Read by* the views. *Lives* for a frame.
+    pub answered: Option<Camera>,
+    /// Objects in the places where the explanation of order puts them.
+    ///
+    /// *Set by* the explanation of order. *Read by* the views. *Lives* for a frame.
+    pub placed: Vec<TransformPreview>,
+    /// The report of the strip's view, stage by stage.
+    ///
+    /// *Set by* the views while the stages are explained. *Read by* their explanation. *Lives* until it changes.
+    pub reports: Vec<StageReport>,
+}
+
+impl Default for Exchange {
+    fn default() -> Self {
+        Self {
+            picture_sizes: [[640, 480]; View::COUNT],
+            screen_scale: 1.0,
+            observer_change: None,
+            problem_out_of_sight: false,
+            hover: PanelHover::default(),
+            seen: Observers::default(),
+            open_panels: OpenPanels::default(),
+            probe: None,
+            answered: None,
+            placed: Vec::new(),
+            reports: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! A handout to be written: its content, and its file.
+
+use crate::exercises::Exercise;
+use crate::export_error::ExportError;
+use crate::lessons::OpenLesson;
+use crate::picture::{Handout, PictureError};
+use crate::progress::Progress;
+use crate::scene::no_files;
+use crate::views::{SharedScene, View, Views, scene_of};
+use camera_lab_files::{FigureFiles, FileAccess};
+use camera_lab_words::handout::{self, HandoutOptions, NoPicture, Scenes, views_of};
+
+/// A requested handout.
+#[derive(Clone)]
+pub struct Job {
+    /// The lesson or the exercises.
+    pub content: Content,
+    /// The choices for the pages.
+    pub options: HandoutOptions,
+}
+
+/// The content of a handout.
+#[derive(Clone)]
+pub enum Content {
+    /// A lesson, with its file.
+    Lesson(OpenLesson),
+    /// Exercises with their numbers, in the order of the sheet.
+    Exercises(Vec<Exercise>),
+}
+
+impl From<NoPicture> for ExportError {
+    fn from(error: NoPicture) -> Self {
+        match error {
+            NoPicture::Camera(error) => Self::Camera(error),
+            NoPicture::Composite(error) => Self::Picture(PictureError::from(error)),
+        }
+    }
+}
+
+impl Job {
+    /// The pages to write.
+    ///
+    /// # Errors
+    /// [`ExportError`] if a picture can't be drawn.
+    pub fn handout(&self, progress: &Progress) -> Result<Handout, ExportError> {
+        let options = self.options;
+        match &self.content {
+            Content::Lesson(OpenLesson { lesson, path, .. }) => {
+                let folder = path.as_deref().and_then(std::path::Path::parent).unwrap_or("".as_ref());
+                let mut files = FigureFiles::new(folder, FileAccess::of_lesson(path.as_deref(), false));
+                let mut scenes = Scenes::default();
+                handout::of_lesson(lesson, options, |(_, step), size| {
+                    let build = || scene_of(&step.figure, &mut |wanted| files.read(wanted), progress);
+                    let scene = scenes.of(&step.figure, build)?;
+                    Ok(handout::picture(&step.figure, &scene, views_of(&step.figure), size, options.lang)?)
+                })
+            }
+            Content::Exercises(sheet) => handout::of_exercises(sheet, options, |figure, size| {
+                let scene = SharedScene::new(scene_of(figure, &mut no_files, progress)?);
+                Ok(handout::picture(figure, &scene, Views::One(View::Image), size, options.lang)?)
+            }),
+        }
+    }
+
+    /// The handout as a PDF file.
+    pub async fn pdf(&self, progress: &Progress) -> Result<Vec<u8>, ExportError> {
+        Ok(self.handout(progress)?.pdf(progress).await?)
+    }
+}
