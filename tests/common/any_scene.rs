@@ -1,5 +1,7 @@
 //! Scenes for property tests of the pipeline.
 
+#![expect(clippy::unwrap_used, reason = "tests")]
+
 use std::sync::Arc;
 
 use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Sampler, Texture};

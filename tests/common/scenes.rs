@@ -1,5 +1,7 @@
 //! A small scene and its camera, whose numbers can be worked out by hand.
 
+#![expect(clippy::unwrap_used, reason = "tests")]
+
 use std::sync::Arc;
 
 use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};

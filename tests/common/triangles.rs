@@ -1,5 +1,7 @@
 //! Triangles for the rasterizer, and the exact rule about the pixels that they own.
 
+#![expect(clippy::cast_possible_truncation, reason = "small numbers, and bytes of random ones")]
+
 use camera_lab_engine::appearance::Rgba;
 use camera_lab_engine::drawing::{Base, Drawing, Surface};
 use camera_lab_engine::raster::Rasterizer;

@@ -81,13 +81,13 @@ impl Document {
             Some(SourceFile { path, text, is_picture: false, carried }) => (Some(path), text, carried),
             None => (None, String::new(), Carried::default()),
         };
-        let revision = Revision::new();
+        let revision = Revision::fresh();
         Ok(Self {
-            id: Revision::new(),
+            id: Revision::fresh(),
             history: History::new(&figure, revision, &camera),
             revision,
             scene_is_changed: false,
-            version: Revision::new(),
+            version: Revision::fresh(),
             committed: None,
             is_changed: false,
             camera,
@@ -204,7 +204,7 @@ impl Document {
         let camera = self.figure.camera;
         change(&mut self.figure);
         self.figure.camera = camera;
-        self.has_scene(Revision::new());
+        self.has_scene(Revision::fresh());
     }
 
     /// Sets a part of the figure, but not its camera, if it differs.
@@ -244,7 +244,7 @@ impl Document {
 
     /// Notes that the document has changed.
     fn note_change(&mut self) {
-        self.version = Revision::new();
+        self.version = Revision::fresh();
         self.is_changed = self.scene_is_changed
             || self.draft != self.saved.camera
             || self.figure.without_scene() != self.saved.without_scene();
@@ -318,7 +318,7 @@ impl Document {
         self.camera = camera;
         let before = std::mem::replace(&mut self.figure, figure);
         self.problem = None;
-        self.has_scene(Revision::new());
+        self.has_scene(Revision::fresh());
         self.history.replace(before.show, (&self.figure, self.revision), &self.camera);
         Ok(())
     }

@@ -16,7 +16,7 @@ pub struct Revision(u64);
 
 impl Revision {
     /// A number that nothing else has.
-    pub fn new() -> Self {
+    pub fn fresh() -> Self {
         static LAST: AtomicU64 = AtomicU64::new(0);
         Self(LAST.fetch_add(1, Ordering::Relaxed))
     }
@@ -251,7 +251,7 @@ mod tests {
         let mut figure = Figure::default();
         figure.scene.objects = (0..objects).map(|i| ObjectSpec::new(format!("object {i}"), Shape::Box)).collect();
         let camera = Camera::new(&figure.camera).unwrap();
-        (History::new(&figure, Revision::new(), &camera), figure, camera)
+        (History::new(&figure, Revision::fresh(), &camera), figure, camera)
     }
 
     #[test]
@@ -259,7 +259,7 @@ mod tests {
         let (mut history, mut figure, camera) = history(1000);
         for width in 1..=2 * u32::try_from(MAX_UNDO_STEPS).unwrap() {
             figure.image.width = width;
-            history.commit((&figure, Revision::new()), &camera, &figure.camera);
+            history.commit((&figure, Revision::fresh()), &camera, &figure.camera);
         }
         assert_eq!(history.past.len(), MAX_UNDO_STEPS);
         assert!(history.past.iter().all(|step| Arc::ptr_eq(&step.scene, &history.now.scene)));
@@ -275,10 +275,10 @@ mod tests {
         history.commit((&other, history.now.revision), &camera, &figure.camera);
         assert!(!history.can_undo(true));
         // The same scene under another number has that from then on.
-        let renumbered = Revision::new();
+        let renumbered = Revision::fresh();
         history.commit((&figure, renumbered), &camera, &figure.camera);
         assert!(!history.can_undo(true) && history.now.revision == renumbered);
-        history.commit((&other, Revision::new()), &camera, &figure.camera);
+        history.commit((&other, Revision::fresh()), &camera, &figure.camera);
         assert_eq!(history.undo(&Figure::default(), true).unwrap().revision, renumbered);
     }
 
@@ -289,7 +289,7 @@ mod tests {
         assert!(scene > 20_000 * size_of::<ObjectSpec>());
         for x in 1..=60 {
             figure.scene.objects[7].translate.x = f64::from(x);
-            history.commit((&figure, Revision::new()), &camera, &figure.camera);
+            history.commit((&figure, Revision::fresh()), &camera, &figure.camera);
         }
         assert_eq!(history.past.len(), MAX_UNDO_BYTES / scene);
         assert!(history.past.len() < 60 && history.past.len() >= 5);
@@ -299,9 +299,9 @@ mod tests {
         let (mut history, mut figure, camera) = self::history(1);
         let points = MAX_UNDO_BYTES / size_of::<glam::DVec3>() + 1;
         figure.scene.objects[0].shape = Some(Shape::Points(vec![glam::DVec3::ZERO; points]));
-        history.commit((&figure, Revision::new()), &camera, &figure.camera);
+        history.commit((&figure, Revision::fresh()), &camera, &figure.camera);
         figure.scene.objects[0].name.push('!');
-        history.commit((&figure, Revision::new()), &camera, &figure.camera);
+        history.commit((&figure, Revision::fresh()), &camera, &figure.camera);
         assert_eq!(history.past.len(), 1);
         assert_eq!(history.undo(&Figure::default(), true).unwrap().figure.scene.objects[0].name, "object 0");
     }

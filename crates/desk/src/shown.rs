@@ -402,8 +402,6 @@ impl Model {
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
-
     use super::*;
     use crate::camera::Decomposition;
     use crate::model::tests::model;
