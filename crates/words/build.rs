@@ -201,13 +201,20 @@ fn literal(text: &str) -> Result<(String, &str), &'static str> {
     while let Some((at, letter)) = letters.next() {
         match letter {
             '"' => return Ok((text[..at + 2].to_owned(), &inner[at + 1..])),
-            '\\' if !letters.next().is_some_and(|(_, c)| "\"\\ntu".contains(c)) => {
+            '\\' if !is_escape(&inner[at + 1..]) => {
                 return Err("after \\ may stand \", \\, n, t or u with four digits");
             }
+            '\\' => drop(letters.next()),
             _ => {}
         }
     }
     Err("the text has no end on its line")
+}
+
+/// Whether the text after a backslash is an escape.
+fn is_escape(rest: &str) -> bool {
+    let digits = rest.strip_prefix('u').and_then(|rest| rest.get(..4));
+    rest.starts_with(['"', '\\', 'n', 't']) || digits.is_some_and(|d| d.bytes().all(|b| b.is_ascii_hexdigit()))
 }
 
 /// Adds the values of a text with their formats.

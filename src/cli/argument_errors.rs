@@ -1,6 +1,6 @@
 //! Faulty arguments in words. Clap speaks English.
 
-use camera_lab_words::{Lang, command_line as texts};
+use camera_lab_words::{Grammar, Lang, command_line as texts};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use crate::sanitize;
@@ -9,10 +9,10 @@ use crate::sanitize;
 pub(super) fn in_words(lang: Lang, error: &clap::Error) -> String {
     let before_the_command =
         error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some();
-    let what = match lang {
+    let what = match lang.grammar() {
         _ if before_the_command => texts::before_the_command(lang).to_owned(),
-        Lang::PtBr => portuguese(error),
-        _ => english(error),
+        Grammar::Portuguese => portuguese(error),
+        Grammar::English => english(error),
     };
     // It may contain typed text of any length.
     let what = sanitize::within(&what, 600);

@@ -154,10 +154,7 @@ fn say(message: &str) {
 
 /// The language of the system, if it's one of ours.
 fn system_lang() -> Lang {
-    match sys_locale::get_locale() {
-        Some(locale) if locale.to_lowercase().starts_with("pt") => Lang::PtBr,
-        _ => Lang::En,
-    }
+    sys_locale::get_locale().map_or(Lang::En, |locale| Lang::of_locale(&locale))
 }
 
 /// Writes to standard output.

@@ -198,7 +198,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
         window.run();
         let (said, missing) = match lang {
             Lang::En => ("In the NDC of Vulkan, reversed, B → ∞, z_n is 1 at F and 0 at B → ∞.", "f32 reversed"),
-            Lang::PtBr => ("No NDC de Vulkan, invertido, B → ∞, z_n é 1 em F e 0 em B → ∞.", "f32 invertido"),
+            _ => ("No NDC de Vulkan, invertido, B → ∞, z_n é 1 em F e 0 em B → ∞.", "f32 invertido"),
         };
         assert!(window.harness.query_by_label(said).is_some());
         assert!(window.harness.query_by_label(missing).is_some() && window.harness.query_by_label(float).is_none());

@@ -514,7 +514,7 @@ fn forms_keep_what_you_typed_and_chose() {
     let shown = |window: &Window| window.state().file_flow.dialog.clone();
     let mut window = Window::new(Lang::En);
     let (t, words) = (en::WINDOW, handouts::texts(Lang::En));
-    let title = format!("{}, {}", t.title_name, t.in_english);
+    let title = format!("{}, {}", t.title_name, Lang::En.name());
     type Change<'a> = Box<dyn Fn(&mut Window) + 'a>;
     let type_title: Change<'_> = Box::new(|window| {
         window.harness.get_by_role_and_label(Role::TextInput, &title).focus();

@@ -94,7 +94,7 @@ fn a_window_that_gets_the_focus_offers_to_reload_once() {
         window.app_mut().state.model.settings.lang = lang;
         let [says, reload, keep] = match lang {
             Lang::En => ["was changed by another program.", "Reload", "Keep mine"],
-            Lang::PtBr => ["foi alterado por outro programa.", "Recarregar", "Manter o meu"],
+            _ => ["foi alterado por outro programa.", "Recarregar", "Manter o meu"],
         };
         fs::write(&path, THEIRS).expect("written");
         window.focus(|window| window.state().file_flow.theirs.is_some());

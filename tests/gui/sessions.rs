@@ -153,7 +153,7 @@ fn a_start_with_a_file_lists_what_was_left() {
         window.run();
         let [title, restore, discard, unsaved, without] = match lang {
             Lang::En => ["Windows that did not close", "Restore", "Discard", "Save the changes?", "Don't save"],
-            Lang::PtBr => ["Janelas que não fecharam", "Restaurar", "Descartar", "Salvar as mudanças?", "Não salvar"],
+            _ => ["Janelas que não fecharam", "Restaurar", "Descartar", "Salvar as mudanças?", "Não salvar"],
         };
         let ago = if lang == Lang::En { "just now" } else { "agora mesmo" };
         assert!(window.says(title) && window.says("a.toml") && window.says(ago));

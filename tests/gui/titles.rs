@@ -26,8 +26,8 @@ fn title_and_caption_are_typed_in_one_language_or_in_both_and_undone() {
     let t = en::WINDOW;
     let mut window = Window::new(Lang::En);
     window.command_key(Key::I);
-    type_into(&mut window, &format!("{}, {}", t.title_name, t.in_english), "My camera");
-    let caption = format!("{}, {}", t.caption_name, t.in_english);
+    type_into(&mut window, &format!("{}, {}", t.title_name, Lang::En.name()), "My camera");
+    let caption = format!("{}, {}", t.caption_name, Lang::En.name());
     let field = window.harness.get_by_role_and_label(Role::MultilineTextInput, &caption);
     field.click();
     window.run();
@@ -42,7 +42,7 @@ fn title_and_caption_are_typed_in_one_language_or_in_both_and_undone() {
     window.command_key(Key::Y);
     // The other language of its own.
     window.command_key(Key::I);
-    let portuguese = format!("{}, {}", t.title_name, t.in_portuguese);
+    let portuguese = format!("{}, {}", t.title_name, Lang::PtBr.name());
     window.harness.get_by_role_and_label(Role::TextInput, &portuguese).click();
     window.run();
     window.command_key(Key::A);
@@ -71,7 +71,7 @@ fn a_figure_made_of_a_card_has_words_of_its_own() {
     assert_eq!(window.state().model.figure_as_shown().title, None, "the card speaks of another figure");
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     window.run();
-    type_into(&mut window, &format!("{}, {}", t.title_name, t.in_english), "Azimuth");
+    type_into(&mut window, &format!("{}, {}", t.title_name, Lang::En.name()), "Azimuth");
     let proposed = window.harness.get_by_role_and_label(Role::TextInput, t.title_file).value();
     assert_eq!(proposed.as_deref(), Some("azimuth.toml"));
     let file = folder.file("azimuth.toml");
@@ -148,7 +148,7 @@ fn without_a_folder_the_dialog_of_the_system_asks() {
 fn entitle(window: &mut Window, title: &str) {
     let t = en::WINDOW;
     window.command_key(Key::I);
-    for language in [t.in_english, t.in_portuguese] {
+    for language in [Lang::En.name(), Lang::PtBr.name()] {
         window.harness.get_by_role_and_label(Role::TextInput, &format!("{}, {language}", t.title_name)).click();
         window.run();
         window.command_key(Key::A);

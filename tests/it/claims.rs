@@ -87,7 +87,7 @@ fn number(word: &str, lang: Lang) -> Option<usize> {
             "nineteen",
             "twenty",
         ],
-        Lang::PtBr => &[
+        _ => &[
             "duas",
             "três",
             "quatro",

@@ -328,7 +328,7 @@ fn camera_text(model: &Parameters, lang: Lang) -> String {
     let tuple = |v: glam::DVec3| format!("({})", v.to_array().map(mark).join(separator));
     let [name, perspective, parallel] = match lang {
         Lang::En => ["projection", "perspective", "parallel"],
-        Lang::PtBr => ["projeção", "perspectiva", "paralela"],
+        _ => ["projeção", "perspectiva", "paralela"],
     };
     let lens = match model.projection {
         Projection::Perspective => format!("{name}={perspective}; θ={}°", mark(model.view_angle)),

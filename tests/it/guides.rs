@@ -57,7 +57,7 @@ fn done(freedom: Freedom, lang: Lang) -> [String; 3] {
     assert_eq!(axis.len(), 1, "{freedom:?}");
     let and = match lang {
         Lang::En => " and ",
-        Lang::PtBr => " e ",
+        _ => " e ",
     };
     let pivot = if turned.contains(&"C") { "PF" } else { "C" };
     [turned.join(and), axis[0].to_owned(), pivot.to_owned()]

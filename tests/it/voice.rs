@@ -177,11 +177,11 @@ fn habits(text: &str, lang: Lang) -> Habits {
     let contracted = |word: &&str| ["'s", "'t", "'re", "'ve", "'ll", "’s", "’t"].iter().any(|end| word.ends_with(end));
     let person = match lang {
         Lang::En => words_of(&lower).filter(contracted).count() + words(&["you", "your", "yours", "yourself"]),
-        Lang::PtBr => words(&["você", "vocês"]),
+        _ => words(&["você", "vocês"]),
     };
     let [places, other]: [&[&str]; 2] = match lang {
         Lang::En => [&["where"], &["if"]],
-        Lang::PtBr => [&["onde"], &["seu", "seus", "sua", "suas"]],
+        _ => [&["onde"], &["seu", "seus", "sua", "suas"]],
     };
     // Questions may ask where.
     let told =
@@ -330,7 +330,7 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
                 Bounds { person: 0.0, ..NATIVE },
             ),
         ],
-        Lang::PtBr => vec![
+        _ => vec![
             ("README", page("README.pt-BR.md"), NATIVE_PT),
             (
                 "guides",

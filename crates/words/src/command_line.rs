@@ -135,42 +135,22 @@ pub struct ExplainTexts {
 }
 
 /// The words around the table of stages.
-pub const fn explain(lang: Lang) -> &'static ExplainTexts {
-    const EN: ExplainTexts = ExplainTexts {
-        columns: ["stage", "in", "out", "of", "µs", "why"],
-        total: "from the scene to the last pixel",
-        together: "(″: in the time of the stage that it runs with)",
-        cost: ["float", "integer", "memory"],
-        blocks: ["geometry", "rasterization", "both"],
-        counted: "Operations on floating-point and on whole numbers, and numbers read from memory or written to it: those of the \
-                  textbook's algorithms.\nNot counted (·): work on whole objects, lines, marks and texts.",
-    };
-    const PT_BR: ExplainTexts = ExplainTexts {
-        columns: ["etapa", "entra", "sai", "de", "µs", "por quê"],
-        total: "da cena ao último pixel",
-        together: "(″: no tempo da etapa com que é executada)",
-        cost: ["flutuante", "inteira", "memória"],
-        blocks: ["geometria", "rasterização", "as duas"],
-        counted: "Operações com números de ponto flutuante e com inteiros, e números lidos da memória ou escritos nela: os dos \
-                  algoritmos dos livros.\nSem contagem (·): o trabalho com objetos inteiros, linhas, marcas e textos.",
-    };
-    pick!(lang; &EN, &PT_BR)
+pub const fn explain(lang: Lang) -> ExplainTexts {
+    ExplainTexts {
+        columns: text!(lang, explain_columns),
+        total: text!(lang, explain_total),
+        together: text!(lang, explain_together),
+        cost: text!(lang, explain_cost),
+        blocks: text!(lang, explain_blocks),
+        counted: text!(lang, explain_counted),
+    }
 }
 
 /// A measurement: the picture, the number of triangles and frames, and median, least and 95 % of the times in ms.
 pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, min, p95]: [f64; 3]) -> String {
-    let times = |p95_name: &str, least: &str, middle: &str| {
-        format!("{middle} {median:.3} ms, {least} {min:.3} ms, {p95_name} {p95:.3} ms\n")
-    };
-    match lang {
-        Lang::En => {
-            let frames = if frames == 1 { "1 frame".to_owned() } else { format!("{frames} frames") };
-            format!("{what}: {triangles} triangles, {frames}\n{}", times("95 % within", "least", "median"))
-        }
-        Lang::PtBr => {
-            let frames = if frames == 1 { "1 quadro".to_owned() } else { format!("{frames} quadros") };
-            format!("{what}: {triangles} triângulos, {frames}\n{}", times("95 % em até", "mínimo", "mediana"))
-        }
+    match frames {
+        1 => text!(lang, bench_frame, what, triangles, median, min, p95),
+        _ => text!(lang, bench_frames, what, triangles, frames, median, min, p95),
     }
 }
 

@@ -22,12 +22,12 @@ macro_rules! value {
     };
 }
 
-/// One of two values of any type, by the language: `pick!(lang; english, portuguese)`.
+/// One of two values of any type, by the grammar: `pick!(lang; english, portuguese)`.
 macro_rules! pick {
     ($lang:expr; $en:expr, $pt:expr) => {
-        match $lang {
-            crate::Lang::En => $en,
-            crate::Lang::PtBr => $pt,
+        match $lang.grammar() {
+            crate::Grammar::English => $en,
+            crate::Grammar::Portuguese => $pt,
         }
     };
 }
@@ -52,9 +52,9 @@ macro_rules! texts_with_values {
 /// follow in parentheses: `translated! { lang, error; Fault::Name(name) => "“{}” é longo" (escaped(name)); }`.
 macro_rules! translated {
     ($lang:expr, $error:expr; $($pattern:pat $(if $guard:expr)? => $pt:literal $(($($value:tt)*))?;)*) => {
-        match ($lang, $error) {
-            (crate::Lang::En, error) => error.to_string(),
-            $((crate::Lang::PtBr, $pattern) $(if $guard)? => format!($pt $(, $($value)*)?),)*
+        match ($lang.grammar(), $error) {
+            (crate::Grammar::English, error) => error.to_string(),
+            $((crate::Grammar::Portuguese, $pattern) $(if $guard)? => format!($pt $(, $($value)*)?),)*
         }
     };
 }
@@ -91,7 +91,7 @@ pub fn told_mut(lang: Lang, text: &mut Bilingual) -> &mut String {
     pick!(lang; &mut text.en, &mut text.pt_br)
 }
 
-/// A language of the interface.
+/// A language of the interface. Its texts are in the folder of `assets/words` with its tag.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lang {
     /// English.
@@ -101,29 +101,73 @@ pub enum Lang {
     PtBr,
 }
 
+/// The language of the sentences that Rust builds, and of errors. A language without a grammar of its own has English
+/// ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Grammar {
+    /// That of English.
+    English,
+    /// That of Portuguese.
+    Portuguese,
+}
+
 impl Lang {
-    /// Every language.
+    /// Every language, in the order in which a switch goes through them.
     pub const ALL: [Self; 2] = [Self::En, Self::PtBr];
+
+    /// Every language with its tag.
+    pub const TAGGED: [(&'static str, Self); Self::ALL.len()] = {
+        let mut tagged = [("", Self::En); Self::ALL.len()];
+        let mut at = 0;
+        while at < tagged.len() {
+            tagged[at] = (Self::ALL[at].tag(), Self::ALL[at]);
+            at += 1;
+        }
+        tagged
+    };
+
+    /// Tag, other words for it, decimal mark, grammar.
+    const fn row(self) -> (&'static str, &'static [&'static str], DecimalMark, Grammar) {
+        match self {
+            Self::En => ("en", &[], DecimalMark::Point, Grammar::English),
+            Self::PtBr => ("pt-BR", &["pt", "pt_BR"], DecimalMark::Comma, Grammar::Portuguese),
+        }
+    }
+
+    /// Its tag in files and options: `en`, `pt-BR`.
+    pub const fn tag(self) -> &'static str {
+        self.row().0
+    }
+
+    /// Other words for it in options.
+    pub const fn aliases(self) -> &'static [&'static str] {
+        self.row().1
+    }
+
+    /// Its name in the language itself.
+    pub const fn name(self) -> &'static str {
+        window::texts(self).language
+    }
 
     /// Its decimal mark.
     pub const fn mark(self) -> DecimalMark {
-        match self {
-            Self::En => DecimalMark::Point,
-            Self::PtBr => DecimalMark::Comma,
-        }
+        self.row().2
     }
 
-    /// The other one.
-    pub const fn other(self) -> Self {
-        pick!(self; Self::PtBr, Self::En)
+    /// The grammar of sentences that Rust builds.
+    pub const fn grammar(self) -> Grammar {
+        self.row().3
     }
 
-    /// Its tag in files for others: `en`, `pt-BR`.
-    pub const fn tag(self) -> &'static str {
-        match self {
-            Self::En => "en",
-            Self::PtBr => "pt-BR",
-        }
+    /// The language after this one. The first one follows the last.
+    pub const fn next(self) -> Self {
+        Self::ALL[(self as usize + 1) % Self::ALL.len()]
+    }
+
+    /// The language of a system or a browser that calls its own `pt_PT` or `en-GB`. English if it's none of ours.
+    pub fn of_locale(locale: &str) -> Self {
+        let primary = |tag: &str| tag.split(['-', '_', '.']).next().unwrap_or_default().to_lowercase();
+        Self::ALL.into_iter().find(|lang| primary(lang.tag()) == primary(locale)).unwrap_or_default()
     }
 }
 

@@ -1,7 +1,7 @@
 //! The words that arguments can be.
 
 use clap::ValueEnum;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::figure::words::{self, Words};
 use camera_lab_words::Lang;
@@ -44,19 +44,31 @@ pub(in crate::cli) enum DataFormat {
     Csv,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(in crate::cli) enum LangArg {
-    En,
-    #[value(name = "pt-BR", aliases = ["pt", "pt_BR"])]
-    PtBr,
-}
+#[derive(Clone, Copy, Debug)]
+pub(in crate::cli) struct LangArg(Lang);
 
 impl LangArg {
     pub(in crate::cli) fn lang(self) -> Lang {
-        match self {
-            Self::En => Lang::En,
-            Self::PtBr => Lang::PtBr,
-        }
+        self.0
+    }
+}
+
+impl ValueEnum for LangArg {
+    fn value_variants<'a>() -> &'a [Self] {
+        const ALL: [LangArg; Lang::ALL.len()] = {
+            let mut all = [LangArg(Lang::En); Lang::ALL.len()];
+            let mut at = 0;
+            while at < all.len() {
+                all[at] = LangArg(Lang::ALL[at]);
+                at += 1;
+            }
+            all
+        };
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.0.tag()).aliases(self.0.aliases()))
     }
 }
 

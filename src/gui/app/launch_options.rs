@@ -12,7 +12,7 @@ use camera_lab_desk::Model;
 use camera_lab_words::Lang;
 
 /// The languages, by the names that `--lang` has for them.
-pub(in crate::gui) const LANGUAGES: Words<Lang> = &[("en", Lang::En), ("pt-BR", Lang::PtBr)];
+pub(in crate::gui) const LANGUAGES: Words<Lang> = &Lang::TAGGED;
 
 /// Launch options of one window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -36,7 +36,7 @@ struct Switch {
 }
 
 const SWITCHES: &[Switch] = &[
-    Switch { command: Command::Language, sign: None, word: |t| t.language },
+    Switch { command: Command::Language, sign: None, word: |t| t.lang.next().name() },
     Switch { command: Command::ParametersPanel, sign: Some(("◧", ALL_WORDS)), word: |t| t.parameters_panel },
     Switch { command: Command::Pipeline, sign: Some(("⬓", WORDS)), word: |t| t.stages_word },
     Switch { command: Command::NumbersPanel, sign: Some(("◨", ALL_WORDS)), word: |t| t.operations_word },

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Context, KeyboardShortcut};
 
-use camera_lab_words::Lang;
+use camera_lab_words::{Grammar, Lang};
 
 /// The Portuguese names of keys labelled with an English word.
 const IN_PORTUGUESE: [(&str, &str); 10] = [
@@ -21,7 +21,7 @@ const IN_PORTUGUESE: [(&str, &str); 10] = [
 /// A combination of keys, for example Alt+Left, in Portuguese Alt+Seta esquerda.
 pub(in crate::gui) fn written(ctx: &Context, keys: &KeyboardShortcut, lang: Lang) -> String {
     let name = ctx.format_shortcut(keys);
-    if lang == Lang::En {
+    if lang.grammar() != Grammar::Portuguese {
         return name;
     }
     let (before, key) = match name.rfind('+').filter(|at| at + 1 < name.len()) {

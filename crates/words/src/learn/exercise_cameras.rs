@@ -48,8 +48,7 @@ pub(crate) fn refused(lang: Lang, error: &FigureError) -> String {
         (Problem::Camera(error), _) => camera_wording(lang, error).in_symbols,
         // The user types a window as its four sides.
         (problem, Some(ParameterKey::Window)) => {
-            let name = if lang == Lang::En { "window" } else { "janela" };
-            format!("{name} {}", figure_files::problem(lang, problem))
+            format!("{} {}", text!(lang, window), figure_files::problem(lang, problem))
         }
         (problem, Some(key)) => format!("{} {}", key.symbol(), figure_files::problem(lang, problem)),
         (_, None) => figure_files::without_line(lang, error),

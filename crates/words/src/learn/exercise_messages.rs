@@ -117,26 +117,14 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
 
 /// The reason why an exercise is the next to practise.
 pub fn why(lang: Lang, why: Why) -> String {
-    match (lang, why) {
-        (Lang::En, Why::Mistake(made, times)) => {
-            let times = if times == 1 { "once".to_owned() } else { format!("{times} times") };
-            format!("It practises a mistake that you made {times}: {}", mistake(lang, made)[0])
-        }
-        (Lang::PtBr, Why::Mistake(made, times)) => {
-            let times = if times == 1 { "uma vez".to_owned() } else { format!("{times} vezes") };
-            format!("Ele exercita um erro que você cometeu {times}: {}", mistake(lang, made)[0])
-        }
-        (_, Why::Begun) => text!(lang, why_begun).to_owned(),
-        (Lang::En, Why::Due(days)) => {
-            let ago = if days == 1 { "a day ago".to_owned() } else { format!("{days} days ago") };
-            format!("You solved it {ago}. See whether you still can, with new numbers.")
-        }
-        (Lang::PtBr, Why::Due(days)) => {
-            let ago = if days == 1 { "um dia".to_owned() } else { format!("{days} dias") };
-            format!("Você o resolveu há {ago}. Veja se ainda consegue, com números novos.")
-        }
-        (_, Why::NotSolved) => text!(lang, why_not_solved).to_owned(),
-        (_, Why::LongestAgo) => text!(lang, why_longest_ago).to_owned(),
+    match why {
+        Why::Mistake(made, 1) => text!(lang, why_mistake_once, mistake = mistake(lang, made)[0]),
+        Why::Mistake(made, times) => text!(lang, why_mistake_times, times, mistake = mistake(lang, made)[0]),
+        Why::Begun => text!(lang, why_begun).to_owned(),
+        Why::Due(1) => text!(lang, why_due_day).to_owned(),
+        Why::Due(days) => text!(lang, why_due_days, days),
+        Why::NotSolved => text!(lang, why_not_solved).to_owned(),
+        Why::LongestAgo => text!(lang, why_longest_ago).to_owned(),
     }
 }
 

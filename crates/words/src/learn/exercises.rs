@@ -12,7 +12,7 @@ use crate::numbers::{DecimalMark, exact_form};
 use crate::sanitize::escaped;
 use crate::why::notes;
 use crate::why::notes::Note;
-use crate::{Lang, messages, told, window};
+use crate::{Grammar, Lang, messages, told, window};
 
 texts!("learn/exercises");
 
@@ -83,13 +83,12 @@ pub fn reading(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "readings", name)
 }
 
-/// The name of a choice typed by its name or by its word in either language, yes and no also in the form of `inspect`,
+/// The name of a choice typed by its name or by its word in any language, yes and no also in the form of `inspect`,
 /// true and false. The typed text if it's none of them.
 pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
     let Kind::Choice(choices) = &ask.kind else { return typed };
     let wanted = typed.trim().to_lowercase();
-    let is_it =
-        |name: &&String| [Lang::En, Lang::PtBr].iter().any(|lang| choice_of(*lang, ask, name).to_lowercase() == wanted);
+    let is_it = |name: &&String| Lang::ALL.iter().any(|lang| choice_of(*lang, ask, name).to_lowercase() == wanted);
     let truth = [("yes", "sim", ["true", "verdadeiro"]), ("no", "não", ["false", "falso"])];
     let of_truth = |(en, pt_br, words): &(&str, &str, [&str; 2])| {
         let is_asked = |name: &&String| [en, pt_br].iter().any(|word| word.eq_ignore_ascii_case(name));
@@ -171,15 +170,15 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     {
         let [asked, given] = [ask.shape(), [rows, columns]].map(shape);
         let given_one = rows * columns == 1;
-        said.push(match lang {
-            Lang::En if ask.shape() == [1, 1] => format!("Expected 1 number, got {given}."),
-            Lang::En => format!("Expected {asked} numbers, got {given}."),
-            Lang::PtBr if ask.shape() == [1, 1] => format!("Esperava-se 1 número, foram dados {given}."),
-            Lang::PtBr if given_one => format!("Esperavam-se {asked} números, foi dado 1."),
-            Lang::PtBr => format!("Esperavam-se {asked} números, foram dados {given}."),
+        said.push(if ask.shape() == [1, 1] {
+            text!(lang, expected_one, given)
+        } else if given_one {
+            text!(lang, expected_given_one, asked, given)
+        } else {
+            text!(lang, expected, asked, given)
         });
-        if lang == Lang::PtBr && ask.shape()[1] == 1 && rows > ask.shape()[0] {
-            said.push("Com vírgula decimal, separe os números com “;”: [0,5; −3; 1].".to_owned());
+        if lang.mark() == DecimalMark::Comma && ask.shape()[1] == 1 && rows > ask.shape()[0] {
+            said.push(text!(lang, expected_semicolons).to_owned());
         }
     }
     Some(said.join(" "))
@@ -315,12 +314,11 @@ pub fn tolerance(lang: Lang, ask: &Ask) -> String {
 }
 
 fn unit(lang: Lang, unit: Unit) -> &'static str {
-    match (unit, lang) {
-        (Unit::None, _) => "",
-        (Unit::Scene, Lang::En) => " scene units",
-        (Unit::Scene, Lang::PtBr) => " unidades da cena",
-        (Unit::Degrees, _) => "°",
-        (Unit::Pixels, _) => " px",
+    match unit {
+        Unit::None => "",
+        Unit::Scene => text!(lang, scene_units),
+        Unit::Degrees => "°",
+        Unit::Pixels => " px",
     }
 }
 
@@ -382,7 +380,7 @@ const CAMERA_NAMES: &str = "C, PF, VUP, projection, θ, H, A, F, B, window";
 
 /// The reason why an answer can't be read.
 pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
-    match (lang, error) {
+    match (lang.grammar(), error) {
         (_, AnswerError::Number { row, column, text, error }) => {
             let place = text!(lang, answer_error_place, row = row + 1, column = column + 1);
             format!("{place}: {}: {}", marked(text, &error.span), messages::expression(lang, &error.problem))
@@ -396,16 +394,16 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
         ),
         (_, AnswerError::Pair(text)) => text!(lang, answer_error_pair, text = escaped(text)),
         (_, AnswerError::Parameter(text)) => text!(lang, answer_error_parameter, text = escaped(text), CAMERA_NAMES),
-        (Lang::En, other) => other.to_string(),
-        (Lang::PtBr, AnswerError::Empty) => "falta uma resposta".to_owned(),
-        (Lang::PtBr, AnswerError::TooLong) => {
+        (Grammar::English, other) => other.to_string(),
+        (Grammar::Portuguese, AnswerError::Empty) => "falta uma resposta".to_owned(),
+        (Grammar::Portuguese, AnswerError::TooLong) => {
             format!("uma resposta tem no máximo {} caracteres", crate::limits::MAX_ANSWER)
         }
-        (Lang::PtBr, AnswerError::BesideBrackets) => {
+        (Grammar::Portuguese, AnswerError::BesideBrackets) => {
             "ao lado dos colchetes só pode estar um fator; uma função leva parênteses: [1; 1; 1]/sqrt(3)".to_owned()
         }
-        (Lang::PtBr, AnswerError::Bracket) => "falta um colchete ou parêntese".to_owned(),
-        (Lang::PtBr, AnswerError::Ragged { row, found, first }) => {
+        (Grammar::Portuguese, AnswerError::Bracket) => "falta um colchete ou parêntese".to_owned(),
+        (Grammar::Portuguese, AnswerError::Ragged { row, found, first }) => {
             format!("a linha {} tem {found} números, a primeira tem {first}", row + 1)
         }
     }

@@ -5,13 +5,13 @@
 
 use super::expressions::in_expression;
 use super::wording::Wording;
-use crate::Lang;
 use crate::camera::{
     Amount, CameraError, Checked, Derived, Descriptor, InfiniteParallel, NotProjectable, Operation, OperationError,
     ParameterKey, Range, Warning, is_infinite_far,
 };
 use crate::inspect::InspectError;
 use crate::sanitize::escaped;
+use crate::{Grammar, Lang};
 
 /// The reason why parameters aren't a camera, with the keys concerned and the values allowed.
 pub fn camera(lang: Lang, error: &CameraError) -> String {
@@ -21,7 +21,7 @@ pub fn camera(lang: Lang, error: &CameraError) -> String {
 /// The reason why parameters aren't a camera. The full form in English is the error's own.
 pub(crate) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
     let english = |in_symbols: &str| Wording::new(error.to_string(), in_symbols);
-    match (lang, error) {
+    match (lang.grammar(), error) {
         (_, CameraError::FocalPointAtPosition) => pick!(lang; english("PF must differ from C"),
             Wording::new("focal_point é o mesmo ponto que position; permitido: qualquer outro ponto", "PF tem de ser diferente de C")),
         (_, CameraError::ViewUpZero) => pick!(lang; english("VUP must not be zero"),
@@ -34,20 +34,20 @@ pub(crate) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
             pick!(lang; english(&format!("{symbol} must be {}", allowed.in_symbols)),
                 Wording::new(format!("{key} é {value:?}; permitido: {}{}", allowed.full, way_out(*key, *value)), format!("{symbol} tem de ser {}", allowed.in_symbols)))
         }
-        (Lang::En, CameraError::FarNotBeyondNear { .. }) => english("F must be less than B"),
-        (Lang::PtBr, CameraError::FarNotBeyondNear { near, far }) => Wording::new(
+        (Grammar::English, CameraError::FarNotBeyondNear { .. }) => english("F must be less than B"),
+        (Grammar::Portuguese, CameraError::FarNotBeyondNear { near, far }) => Wording::new(
             format!(
                 "near é {near:?} e far é {far:?}; permitido: near < far, e na perspectiva 0 < near; para profundidades invertidas, mantenha essa ordem e use --ndc NOME-reversed"
             ),
             "F tem de ser menor que B",
         ),
-        (Lang::En, CameraError::WindowWidth { .. }) => english("l must be less than r"),
-        (Lang::PtBr, CameraError::WindowWidth { left, right }) => Wording::new(
+        (Grammar::English, CameraError::WindowWidth { .. }) => english("l must be less than r"),
+        (Grammar::Portuguese, CameraError::WindowWidth { left, right }) => Wording::new(
             format!("window: left é {left:?} e right é {right:?}; permitido: left < right"),
             "l tem de ser menor que r",
         ),
-        (Lang::En, CameraError::WindowHeight { .. }) => english("b must be less than t"),
-        (Lang::PtBr, CameraError::WindowHeight { bottom, top }) => Wording::new(
+        (Grammar::English, CameraError::WindowHeight { .. }) => english("b must be less than t"),
+        (Grammar::Portuguese, CameraError::WindowHeight { bottom, top }) => Wording::new(
             format!("window: bottom é {bottom:?} e top é {top:?}; permitido: bottom < top"),
             "b tem de ser menor que t",
         ),
@@ -163,17 +163,17 @@ pub fn warning(lang: Lang, warning: &Warning) -> String {
 pub(crate) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
     let english = |in_symbols: String| Wording::new(warning.to_string(), in_symbols);
     let printed = |number: String| lang.mark().printed(&number);
-    match (lang, warning) {
+    match (lang.grammar(), warning) {
         (_, Warning::ViewUpNearlyCollinear { degrees }) => pick!(lang;
             english(format!("VUP is only {degrees:.2e}° away from DOP: its last digits decide which way is up")),
             Wording::new(format!("view_up está a apenas {degrees:.3e} graus da direção de projeção: seus últimos dígitos decidem o que fica para cima"), format!("VUP está a só {degrees}° de DOP: seus últimos dígitos decidem o que fica para cima", degrees = printed(format!("{degrees:.2e}"))))),
         (_, Warning::DepthPrecision { ratio, step }) => pick!(lang;
             english(format!("B/F is {ratio:.2e}: at the back plane a 24-bit depth buffer cannot tell apart depths that differ by less than {step:.2e}; move F away from the camera")),
             Wording::new(format!("far / near é {ratio:.3e}: um z-buffer de 24 bits não distingue profundidades que diferem menos de {step:.3e} no plano de fundo; afaste near da câmera"), format!("B/F é {ratio}: um z-buffer de 24 bits não distingue, no fundo, profundidades a menos de {step}; afaste F da câmera", ratio = printed(format!("{ratio:.2e}")), step = printed(format!("{step:.2e}"))))),
-        (Lang::En, Warning::FocalPointClipped { .. }) => {
+        (Grammar::English, Warning::FocalPointClipped { .. }) => {
             english("PF is not between F and B: what the camera looks at is clipped away".to_owned())
         }
-        (Lang::PtBr, Warning::FocalPointClipped { distance, near, far }) => Wording::new(
+        (Grammar::Portuguese, Warning::FocalPointClipped { distance, near, far }) => Wording::new(
             format!(
                 "focal_point está à distância {distance}, que não fica entre near = {near} e far = {far}: o que a câmera mira é recortado"
             ),

@@ -4,12 +4,12 @@ use std::path::Path;
 
 use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
-use crate::Lang;
 use crate::export::format::PictureFormat;
 use crate::export::png::{Damage, PngError};
 use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
 use crate::sanitize;
 use crate::scene::ReadProblem;
+use crate::{Grammar, Lang};
 use camera_lab_files::share::{self, Held, ShareError};
 use camera_lab_files::{FileError, LeftOut, size_words};
 
@@ -28,39 +28,39 @@ pub fn opened(lang: Lang, path: &Path) -> String {
 /// The reason why the file called `name` can't be used.
 pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
     let after_name = |problem: &ReadProblem| format!("{name} {}", read_problem(lang, problem));
-    match (lang, error) {
+    match (lang.grammar(), error) {
         (_, FileError::Png(error)) => format!("{name}: {}", png(lang, error)),
         (_, FileError::Figure(error)) => format!("{name}, {}", figure(lang, error)),
         // A link is long, and meaningless to people.
         (_, FileError::Link(error)) => link(lang, *error),
-        (Lang::En, error) => format!("{name} {error}"),
-        (Lang::PtBr, FileError::Read(error)) => after_name(&ReadProblem::system(error)),
-        (Lang::PtBr, FileError::Write(error)) => {
+        (Grammar::English, error) => format!("{name} {error}"),
+        (Grammar::Portuguese, FileError::Read(error)) => after_name(&ReadProblem::system(error)),
+        (Grammar::Portuguese, FileError::Write(error)) => {
             format!("{name} não pode ser gravado: {}", system_in_portuguese(error.kind(), error.raw_os_error()))
         }
-        (Lang::PtBr, FileError::Directory) => after_name(&ReadProblem::Directory),
-        (Lang::PtBr, FileError::TooManyExercises) => {
+        (Grammar::Portuguese, FileError::Directory) => after_name(&ReadProblem::Directory),
+        (Grammar::Portuguese, FileError::TooManyExercises) => {
             format!("{name} tem exercícios demais; permitido: no máximo {MAX_OWN_EXERCISES}")
         }
-        (Lang::PtBr, FileError::TooLarge(most)) => {
+        (Grammar::Portuguese, FileError::TooLarge(most)) => {
             format!("{name} é grande demais; permitido: no máximo {}", size_words(*most))
         }
-        (Lang::PtBr, FileError::OtherPicture(format)) => {
+        (Grammar::Portuguese, FileError::OtherPicture(format)) => {
             let names = PictureFormat::names_with_figure("e");
             format!("{name} é um arquivo {format}, que não pode conter a própria figura. {names} podem")
         }
-        (Lang::PtBr, FileError::Latex) => {
+        (Grammar::Portuguese, FileError::Latex) => {
             format!("{name} é um arquivo LaTeX, que não pode conter a própria figura. O PDF ao lado dele a contém")
         }
-        (Lang::PtBr, FileError::Mesh) => format!(
+        (Grammar::Portuguese, FileError::Mesh) => format!(
             "{name} é uma malha, não uma figura. Na janela, adicione-a com Cena ▸ + Adicionar ▸ arquivo de malha…; num arquivo de figura, escreva [[scene.objects]] com shape = \"mesh\" e path"
         ),
-        (Lang::PtBr, FileError::NotRegular) => after_name(&ReadProblem::NotRegular),
-        (Lang::PtBr, FileError::Network) => after_name(&ReadProblem::Network),
-        (Lang::PtBr, FileError::ReservedName) => format!(
+        (Grammar::Portuguese, FileError::NotRegular) => after_name(&ReadProblem::NotRegular),
+        (Grammar::Portuguese, FileError::Network) => after_name(&ReadProblem::Network),
+        (Grammar::Portuguese, FileError::ReservedName) => format!(
             "{name} tem um nome que o Windows reserva para si; permitido: nomes sem \":\" que não sejam CON, PRN, AUX, NUL, COM0 a COM9 e LPT0 a LPT9, seja qual for a extensão"
         ),
-        (Lang::PtBr, FileError::ReadOnly) => format!(
+        (Grammar::Portuguese, FileError::ReadOnly) => format!(
             "{name} é somente de leitura e ficou como estava; permitido: outro nome, ou um arquivo que possa ser gravado"
         ),
     }

@@ -3,10 +3,10 @@
 use super::meshes::mesh;
 use super::unreadable::read_problem;
 use super::wording::Wording;
-use crate::Lang;
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MIN_SEGMENTS};
 use crate::sanitize::escaped;
 use crate::scene::{MeshError, SceneError, chain_text};
+use crate::{Grammar, Lang};
 
 texts!("messages/scene_errors");
 
@@ -31,17 +31,19 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
 /// form in English is the error's own.
 pub(crate) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
     let english = |beside_field: &str| Wording::new(error.to_string(), beside_field);
-    match (lang, error) {
-        (Lang::En, SceneError::DuplicateName { .. }) => english("another object has this name"),
-        (Lang::PtBr, SceneError::DuplicateName { name }) => Wording::new(
+    match (lang.grammar(), error) {
+        (Grammar::English, SceneError::DuplicateName { .. }) => english("another object has this name"),
+        (Grammar::Portuguese, SceneError::DuplicateName { name }) => Wording::new(
             format!("é \"{}\", como um objeto anterior; permitido: um nome único", escaped(name)),
             "outro objeto tem este nome",
         ),
         (_, SceneError::UnknownParent { parent, .. }) => pick!(lang;
             english(&format!("there is no object “{}”", escaped(parent))),
             Wording::new(format!("é \"{}\", que não é o nome de um objeto; permitido: o nome de um objeto", escaped(parent)), format!("não há objeto “{}”", escaped(parent)))),
-        (Lang::En, SceneError::Cycle { chain }) => english(&format!("parents form a cycle: {}", chain_text(chain))),
-        (Lang::PtBr, SceneError::Cycle { chain }) => {
+        (Grammar::English, SceneError::Cycle { chain }) => {
+            english(&format!("parents form a cycle: {}", chain_text(chain)))
+        }
+        (Grammar::Portuguese, SceneError::Cycle { chain }) => {
             let chain = chain_text(chain);
             Wording::new(
                 format!("forma um ciclo ({chain}); permitido: pais que formem uma árvore"),
@@ -53,8 +55,8 @@ pub(crate) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             Wording::new("leva a números que não são finitos; permitido: transformações cujo produto fique abaixo de cerca de 1e308", "no mundo estes números saem da faixa (cerca de 1e308)")),
         (_, SceneError::ZeroScale { .. }) => pick!(lang; english("the scale must not be 0 along any axis"),
             Wording::new("é 0 em algum eixo; permitido: quaisquer outros números", "a escala não pode ser 0 em nenhum eixo")),
-        (Lang::En, SceneError::Segments { .. }) => english(&segments_allowed(lang)),
-        (Lang::PtBr, SceneError::Segments { found, .. }) => Wording::new(
+        (Grammar::English, SceneError::Segments { .. }) => english(&segments_allowed(lang)),
+        (Grammar::Portuguese, SceneError::Segments { found, .. }) => Wording::new(
             format!("é {found}; permitido: um inteiro de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
             segments_allowed(lang),
         ),
@@ -64,23 +66,23 @@ pub(crate) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
         }
         (_, SceneError::TooManyObjects) => pick!(lang; english(&format!("at most {MAX_OBJECTS} objects")),
             Wording::new(format!("são demais, com os de suas malhas; permitido: no máximo {MAX_OBJECTS}"), format!("no máximo {MAX_OBJECTS} objetos"))),
-        (Lang::En, SceneError::TooManyLights { .. }) => english(&format!("at most {MAX_LIGHTS} lights")),
-        (Lang::PtBr, SceneError::TooManyLights { found }) => Wording::new(
+        (Grammar::English, SceneError::TooManyLights { .. }) => english(&format!("at most {MAX_LIGHTS} lights")),
+        (Grammar::Portuguese, SceneError::TooManyLights { found }) => Wording::new(
             format!("são {found}; permitido: no máximo {MAX_LIGHTS}"),
             format!("no máximo {MAX_LIGHTS} luzes"),
         ),
-        (Lang::En, SceneError::ShadowMaps { .. }) => {
+        (Grammar::English, SceneError::ShadowMaps { .. }) => {
             english(&format!("shadow maps of at most {MAX_SHADOW_TEXELS} texels together, six for a point light"))
         }
-        (Lang::PtBr, SceneError::ShadowMaps { texels }) => Wording::new(
+        (Grammar::Portuguese, SceneError::ShadowMaps { texels }) => Wording::new(
             format!(
                 "têm mapas de sombras de {texels} texels, seis por luz pontual; permitido: no máximo {MAX_SHADOW_TEXELS}"
             ),
             format!("mapas de sombras de no máximo {MAX_SHADOW_TEXELS} texels ao todo, seis por luz pontual"),
         ),
-        (Lang::En, SceneError::Light { key: "direction", .. }) => english("the direction must not be 0"),
-        (Lang::En, SceneError::Light { .. }) => english("the position must be finite"),
-        (Lang::PtBr, SceneError::Light { key, .. }) => Wording::new(
+        (Grammar::English, SceneError::Light { key: "direction", .. }) => english("the direction must not be 0"),
+        (Grammar::English, SceneError::Light { .. }) => english("the position must be finite"),
+        (Grammar::Portuguese, SceneError::Light { key, .. }) => Wording::new(
             "deve ter três números finitos, nem todos 0 numa direção",
             if *key == "direction" { "a direção não pode ser nula" } else { "a posição tem de ser finita" },
         ),

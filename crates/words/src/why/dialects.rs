@@ -7,7 +7,7 @@ use crate::camera::{
 use crate::explain::vocabulary::{CameraNumber, Limitation, Vocabulary};
 use crate::sanitize::escaped;
 use crate::why::conventions::camera_axes;
-use crate::{Lang, messages};
+use crate::{Grammar, Lang, messages};
 
 texts!("why/dialects");
 
@@ -235,7 +235,7 @@ const fn line(lines: Lines) -> &'static str {
 /// The reason why a matrix isn't that of a camera.
 pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
     let number = |x: f64| lang.mark().number(x, 4);
-    if let (Lang::En, RecoveryError::Length { row, length }) = (lang, error) {
+    if let (Grammar::English, RecoveryError::Length { row, length }) = (lang.grammar(), error) {
         return format!("row {row} has length {}; the rows of a view matrix are unit vectors", number(*length));
     }
     translated! { lang, error;

@@ -1,10 +1,10 @@
 //! The words of the studies: titles, parameters, cases, methods, units.
 
-use crate::Lang;
 use crate::numbers::significant;
 use crate::numerics::charts::Words;
 use crate::numerics::overhead::{Cost, Price};
 use crate::numerics::{Findings, Row, Study, Unit};
+use crate::{Grammar, Lang};
 
 texts!("why/numerics");
 
@@ -171,7 +171,8 @@ const PORTUGUESE: &[(&str, &str)] = &[
 
 /// A case or a method by its name.
 pub fn name(lang: Lang, name: &str) -> String {
-    let found = PORTUGUESE.iter().find(|(english, _)| *english == name).filter(|_| lang == Lang::PtBr);
+    let found =
+        PORTUGUESE.iter().find(|(english, _)| *english == name).filter(|_| lang.grammar() == Grammar::Portuguese);
     found.map_or(name, |(_, portuguese)| portuguese).to_owned()
 }
 
@@ -207,7 +208,7 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
     let t = texts(lang);
     let number = |text: &str| lang.mark().typed(text);
     let mut table = format!("{} ({})\n", title(lang, findings.study), findings.study.name());
-    let reference = if lang == Lang::PtBr { reference(findings.study) } else { findings.reference };
+    let reference = if lang.grammar() == Grammar::Portuguese { reference(findings.study) } else { findings.reference };
     table += &text!(lang, table, reference, working_set = findings.working_set);
     let mut last: Option<(&str, f64)> = None;
     for row in &findings.rows {

@@ -2,6 +2,7 @@
 
 use crate::Lang;
 use crate::explain::order::{Call, Reading, Unbalanced};
+use crate::numbers::DecimalMark;
 
 texts!("why/order");
 
@@ -38,7 +39,7 @@ pub fn step(lang: Lang, place: usize, call: Call) -> String {
 /// The effect of a call. `number` writes a number.
 pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -> String) -> String {
     let vector = |v: glam::DVec3| {
-        let separator = if lang == Lang::PtBr { "; " } else { ", " };
+        let separator = if lang.mark() == DecimalMark::Comma { "; " } else { ", " };
         format!("({})", v.to_array().map(&number).join(separator))
     };
     let turned = match call {

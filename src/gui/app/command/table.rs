@@ -227,9 +227,12 @@ pub const MENUS: &[Menu] = &[
                 row!(ZoomReset, ctrl(Key::Num0), zoom_reset, zoom_reset_hint, |s, _| s.model.settings.zoom = 1.0)
                     .browsers_keys(),
             ],
-            &[row!(Language, ctrl(Key::L), language, language_hint, |s, _| {
-                s.model.settings.lang = s.model.settings.lang.other();
-            })
+            &[Row::new(
+                Language,
+                ctrl(Key::L),
+                |t| (t.lang.next().name(), camera_lab_words::window::texts(t.lang.next()).language_hint),
+                |s, _| s.model.settings.lang = s.model.settings.lang.next(),
+            )
             .browsers_keys()],
         ],
     },

@@ -1,5 +1,6 @@
 //! The question for the title and the caption of a figure, in both languages.
 
+use std::iter;
 use std::path::Path;
 
 use eframe::egui::{self, Key, Modifiers, RichText};
@@ -57,8 +58,9 @@ pub(in crate::gui) fn show(
         (t.caption_name, &mut form.caption, card_caption, MAX_CAPTION, 3),
     ];
     for (name, text, of_card, most, lines) in rows {
-        for lang in [t.lang, t.lang.other()] {
-            let label = ui.label(format!("{name}, {}", language(t, lang)));
+        let others = Lang::ALL.into_iter().filter(|lang| *lang != t.lang);
+        for lang in iter::once(t.lang).chain(others) {
+            let label = ui.label(format!("{name}, {}", lang.name()));
             let hint = of_card.as_ref().map(|text| told(lang, text)).unwrap_or_default();
             let typed = told_mut(lang, text);
             let typed_length = typed.chars().count();
@@ -152,11 +154,4 @@ fn written(text: Bilingual) -> Option<Bilingual> {
     let or = |one: &String, other: &String| if one.is_empty() { other.clone() } else { one.clone() };
     let both = Bilingual { en: or(&en, &pt_br), pt_br: or(&pt_br, &en) };
     (!both.en.is_empty()).then_some(both)
-}
-
-const fn language(t: &Texts, lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => t.in_english,
-        Lang::PtBr => t.in_portuguese,
-    }
 }

@@ -162,8 +162,7 @@ impl Page {
         for pair in unknown {
             web_sys::console::warn_1(&format!("Camera Lab does not know what {pair} asks for").into());
         }
-        let speaks_portuguese = window.navigator().language().is_some_and(|lang| lang.to_lowercase().starts_with("pt"));
-        let lang = if speaks_portuguese { Lang::PtBr } else { Lang::En };
+        let lang = window.navigator().language().map_or(Lang::En, |locale| Lang::of_locale(&locale));
         let link = linked();
         let (figure, file, fault) = match link.as_deref().map(read_link) {
             Some(Ok((figure, file))) => (figure, Some(file), None),

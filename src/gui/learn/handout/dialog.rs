@@ -78,8 +78,8 @@ fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut Han
     let options = &mut form.options;
     ui.horizontal(|ui| {
         ui.label(t.language);
-        for (lang, name) in [(Lang::En, "English"), (Lang::PtBr, "Português")] {
-            ui.selectable_value(&mut options.lang, lang, name);
+        for lang in Lang::ALL {
+            ui.selectable_value(&mut options.lang, lang, lang.name());
         }
     });
     ui.checkbox(&mut options.answers, t.answers).explained(t.answers_hint);

@@ -74,8 +74,8 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Lear
     let figure = playing.now().map(|step| step.figure.clone());
     let Some(writing) = &mut playing.writing else { return };
     ui.horizontal_wrapped(|ui| {
-        for (of, name) in [(Lang::En, "English"), (Lang::PtBr, "Português")] {
-            ui.selectable_value(&mut writing.lang, of, name);
+        for of in Lang::ALL {
+            ui.selectable_value(&mut writing.lang, of, of.name());
         }
         ui.separator();
         let task = lesson_tasks::texts(lang);
