@@ -5,7 +5,7 @@ use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
 #[cfg(target_arch = "wasm32")]
 use crate::gui::app::web::third_party;
-use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
+use crate::gui::kit::{CANCEL, Pressed, buttons};
 use camera_lab_words::window::Texts;
 
 /// Names and licences of all libraries, and the texts of the licences, written by `.ci/third-party`.

@@ -6,9 +6,7 @@ use super::state::State;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose};
 use crate::gui::app::file_flow::{ask, begin};
 use crate::gui::inspector::state::compare::CompareForm;
-use camera_lab_desk::action::{Action, AfterSave};
-use camera_lab_desk::cameras::CameraList;
-use camera_lab_desk::photograph::PhotographTool;
+use camera_lab_desk::{Action, AfterSave, CameraList, PhotographTool};
 
 /// Performs the actions requested since the last call.
 pub(super) fn perform(ctx: &Context, state: &mut State) {

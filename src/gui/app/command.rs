@@ -5,7 +5,7 @@ mod table;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::gui::app::state::State;
-use crate::gui::kit::command::Command;
+use crate::gui::kit::Command;
 use camera_lab_desk::Model;
 use camera_lab_words::window::Texts;
 pub use table::MENUS;

@@ -38,13 +38,7 @@ use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::picture::file_beside;
 use crate::scene::Shape;
 use crate::scene::import::MESH_ENDINGS;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{AfterSave, FileFor, MeshFor};
-use camera_lab_desk::document::Document;
-use camera_lab_desk::document::source::Source;
-use camera_lab_desk::export_error::ExportError;
-use camera_lab_desk::layout::Tab;
-use camera_lab_desk::message::{Message, NotExported};
+use camera_lab_desk::{AfterSave, Document, ExportError, FileFor, MeshFor, Message, Model, NotExported, Source, Tab};
 use camera_lab_files::{self as files, FileChange, FileError, Overwrite, disk};
 
 /// Does the `next` action, after asking about all losses: text of a lesson that can't be saved, and changes of the

@@ -5,7 +5,9 @@
 //! of the pointer, and the pictures mark it in the same frame. Dialogs lie over both. After everything has been shown,
 //! the changes are committed and handed to the threads that write files.
 
+use crate::gui::kit::focus::{self};
 use crate::gui::kit::frames::frames;
+use crate::gui::kit::{Command, Region, context_help, text_field, tooltip};
 use std::time::Duration;
 
 use eframe::egui;
@@ -14,21 +16,13 @@ use super::{App, actions, dialogs, menu, presentation, status};
 use crate::gui::app::file_flow::{self, changed_file};
 use crate::gui::app::state::State;
 use crate::gui::inspector::{numerics, operations, parameters, values};
-use crate::gui::kit::command::Command;
-use crate::gui::kit::context_help;
-use crate::gui::kit::focus::{self, Region};
-use crate::gui::kit::{text_field, tooltip};
 use crate::gui::learn::{exercises, lesson};
 use crate::gui::pictures::long_work::is_long;
 use crate::gui::pictures::{Canvas, Inputs, motion};
 use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session_news;
 use crate::gui::why;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::AfterSave;
-use camera_lab_desk::layout::Side;
-use camera_lab_desk::shown::PanelHover;
-use camera_lab_desk::storage::session::Kept;
+use camera_lab_desk::{AfterSave, Kept, Model, PanelHover, Side};
 use camera_lab_words::window::{self, Texts};
 
 /// Below this width, in points, there is room for only one panel beside the pictures.

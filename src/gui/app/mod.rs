@@ -33,15 +33,12 @@ use crate::gui::app::preferences::Preferences;
 use crate::gui::app::presentation::RestingPointer;
 use crate::gui::app::state::State;
 use crate::gui::app::tab_order::KeyOrder;
-use crate::gui::kit::command::Command;
-use crate::gui::kit::focus::Focus;
-use crate::gui::kit::{text_field, theme};
+use crate::gui::kit::{Command, Focus, text_field, theme};
 use crate::gui::pictures::Canvas;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gui::platform::window_size::{Opening, Whereabouts};
 use crate::sanitize;
-use camera_lab_desk::message::Message;
-use camera_lab_desk::storage::session::{Keeping, Restored, Sessions};
+use camera_lab_desk::{Keeping, Message, Restored, Sessions};
 
 /// The window's program.
 pub struct App {

@@ -10,8 +10,7 @@ use eframe::egui::{
 use super::menu;
 use crate::gui::app::file_flow::questions::FileFlow;
 use crate::gui::app::state::State;
-use crate::gui::kit::command::Command;
-use crate::gui::kit::theme;
+use crate::gui::kit::{Command, theme};
 use crate::gui::learn::Learn;
 use crate::gui::pictures::annotations::Annotations;
 use camera_lab_desk::Model;

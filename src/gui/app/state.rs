@@ -16,13 +16,7 @@ use crate::gui::pictures::annotations::Annotations;
 use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::why::state::explain::Explain;
 use crate::views::{View, Views};
-use camera_lab_desk::Model;
-use camera_lab_desk::background::memo::Memo;
-use camera_lab_desk::cameras::CameraList;
-use camera_lab_desk::desk::Desk;
-use camera_lab_desk::document::Document;
-use camera_lab_desk::photograph::PhotographTool;
-use camera_lab_desk::storage::recent::Recent;
+use camera_lab_desk::{CameraList, Desk, Document, Memo, Model, PhotographTool, Recent};
 use camera_lab_files::share::ShareError;
 use camera_lab_files::{SourceFile, figure_from};
 

@@ -2,10 +2,8 @@
 
 use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
-use crate::gui::kit::elide;
-use crate::gui::kit::tooltip::Explained;
-use camera_lab_desk::Model;
-use camera_lab_desk::message::Message;
+use crate::gui::kit::{Explained, elide};
+use camera_lab_desk::{Message, Model};
 use camera_lab_words::window;
 
 /// The latest message, shortened to the available room.

@@ -10,10 +10,10 @@ use crate::export::format::PictureFormat;
 use crate::export::paper::PaperPreset;
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::export::{Export, ExportSource, Paper, as_letters};
-use crate::gui::kit::dialog_buttons::{Pressed, buttons};
-use crate::gui::kit::form::{choice, choice_row, complaint, row};
-use crate::gui::kit::number_field::{self, FieldError, NumberField, Step, whole};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::number_field::{self};
+use crate::gui::kit::{
+    Explained, FieldError, NumberField, Pressed, Step, buttons, choice, choice_row, complaint, row, whole,
+};
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::picture::Faces;
 use crate::views::{View, Views};

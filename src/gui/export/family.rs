@@ -3,10 +3,8 @@
 use eframe::egui::{self, Key};
 
 use super::family_choice::{FamilyChoice, Subject, Varied};
-use crate::gui::kit::form::{choice, choice_row, row};
-use crate::gui::kit::number_field;
-use crate::gui::kit::text_field::{self, TextField};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::text_field::{self};
+use crate::gui::kit::{Explained, TextField, choice, choice_row, number_field, row};
 use crate::limits::MAX_TYPED_NAME;
 use camera_lab_words::families;
 use camera_lab_words::window::Texts;

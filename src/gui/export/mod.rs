@@ -30,11 +30,7 @@ use crate::picture::{
 };
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
-use camera_lab_desk::Model;
-use camera_lab_desk::background::worker::{Running, Worker};
-use camera_lab_desk::export_error::ExportError;
-use camera_lab_desk::handout_job::Job;
-use camera_lab_desk::message::Shortfall;
+use camera_lab_desk::{ExportError, Job, Model, Running, Shortfall, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileError, LeftOut, Overwrite};
 use camera_lab_words::{Lang, pictures};
 

@@ -13,8 +13,7 @@ use crate::gui::export::{Export, ExportSource};
 use crate::limits::MAX_COPIED_PIXELS;
 use crate::picture::{self, Crowded, FileOptions};
 use crate::progress::Progress;
-use camera_lab_desk::background::worker::Worker;
-use camera_lab_desk::export_error::ExportError;
+use camera_lab_desk::{ExportError, Worker};
 
 /// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
 const FINENESS: f32 = 2.0;

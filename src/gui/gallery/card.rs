@@ -15,7 +15,7 @@ use crate::numbers::natural_order;
 use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
-use camera_lab_desk::document::source::Source;
+use camera_lab_desk::Source;
 use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
 use camera_lab_words::{Lang, messages, pictures, told, window};
 

@@ -12,13 +12,10 @@ use eframe::egui::{
 use super::card::SIZE;
 use super::{Gallery, Part};
 use crate::appearance::Theme;
-use crate::gui::kit::focus::with_room_before;
-use crate::gui::kit::text_field::TextField;
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, TextField, theme, with_room_before};
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
-use camera_lab_desk::document::source::Source;
+use camera_lab_desk::Source;
 use camera_lab_files::{ShippedFigure, Topic};
 use camera_lab_words::window::gallery as words;
 use camera_lab_words::window::gallery::Texts;

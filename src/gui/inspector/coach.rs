@@ -4,13 +4,10 @@ use eframe::egui::{self, RichText, Ui};
 
 use crate::camera::ImageSize;
 use crate::figure::Explanation;
-use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{CANCEL, Explained, Pressed, buttons, theme};
 use crate::numerics::diagnosis::{IN_A_WINDOW, Repair, changes};
 use crate::numerics::health::Level;
-use camera_lab_desk::Model;
-use camera_lab_desk::coach::Advice;
+use camera_lab_desk::{Advice, Model};
 use camera_lab_words::window::Texts;
 use camera_lab_words::window::coach as words;
 

@@ -11,6 +11,6 @@ pub mod scene;
 pub(super) mod state;
 pub mod values;
 
-use crate::gui::kit::form::{
+use crate::gui::kit::{
     TEXT_LINE, VectorField, choice_row, complain, complaint, erratum, kept_section, more, row, section, toggle,
 };

@@ -6,8 +6,7 @@ use crate::camera::{Camera, Ndc};
 use crate::explain::{Matrix, projection_equation};
 use crate::inspect::Report;
 use crate::numbers::{self, DecimalMark, without_rests};
-use camera_lab_desk::Model;
-use camera_lab_desk::explained::conventions::Conventions;
+use camera_lab_desk::{Conventions, Model};
 use camera_lab_words::why::conventions;
 use camera_lab_words::window::{self, Texts};
 

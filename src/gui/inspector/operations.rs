@@ -5,15 +5,11 @@ use eframe::egui::{self, Align, Layout, RichText, Slider};
 use super::predict;
 use super::{TEXT_LINE, complain, erratum, more, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
-use crate::gui::kit::context_help::help_topic_row;
-use crate::gui::kit::number_field::{self, NumberField, Step};
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::number_field::{self};
+use crate::gui::kit::{Explained, NumberField, Step, help_topic_row, theme};
 use crate::numbers::DecimalMark;
 use crate::views::Ghost;
-use camera_lab_desk::Model;
-use camera_lab_desk::operations::Scrub;
-use camera_lab_desk::operations::motion::arrow;
+use camera_lab_desk::{Model, Scrub, arrow};
 use camera_lab_words::why::notes;
 use camera_lab_words::window::{self, Texts};
 

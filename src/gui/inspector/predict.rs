@@ -3,11 +3,9 @@
 use eframe::egui::{self, Button, RichText};
 
 use crate::camera::Operation;
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
-use crate::gui::kit::{number_field, prose};
-use camera_lab_desk::Model;
-use camera_lab_desk::operations::predict::{About, Change, Prediction};
+use crate::gui::kit::{Explained, number_field, prose, theme};
+use camera_lab_desk::operations::predict::Change;
+use camera_lab_desk::{About, Model, Prediction};
 use camera_lab_words::learn::exercise_messages;
 use camera_lab_words::window::Texts as WindowTexts;
 use camera_lab_words::window::predict as words;

@@ -1,7 +1,7 @@
 //! The commands of the window, by name. The table in `app` has the words, the keys and the work of each.
 
 use crate::views::{Arrangement, View};
-use camera_lab_desk::layout::{ObserverChange, Tab};
+use camera_lab_desk::{ObserverChange, Tab};
 
 /// The enum of the commands, and the list of those without a value.
 macro_rules! commands {

@@ -15,3 +15,18 @@ pub(super) mod prose;
 pub(super) mod text_field;
 pub mod theme;
 pub(super) mod tooltip;
+
+pub(in crate::gui) use command::Command;
+pub(in crate::gui) use context_help::{has_focus, help_topic, help_topic_row};
+pub(in crate::gui) use dialog_buttons::{CANCEL, Pressed, buttons};
+pub(in crate::gui) use focus::{Focus, Region, at_right, keep_in_sight, with_room_before};
+pub(in crate::gui) use form::{
+    TEXT_LINE, VectorField, alternatives, choice, choice_row, complain, complaint, erratum, kept_section, more, row,
+    section, toggle,
+};
+pub(in crate::gui) use keys::written;
+pub(in crate::gui) use mathematics::{Both, Formula, Links, brackets, chain};
+pub(in crate::gui) use number_field::{FieldError, FieldOutput, NumberField, Step, whole};
+pub(in crate::gui) use plotting::{color_of, export_button, linear_x, logarithmic_x, logarithmic_y, still};
+pub(in crate::gui) use text_field::{KeptLine, TextField};
+pub(in crate::gui) use tooltip::Explained;

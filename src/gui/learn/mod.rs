@@ -11,10 +11,7 @@ use std::sync::Arc;
 use eframe::egui;
 
 use crate::lessons::Lesson;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::Action;
-use camera_lab_desk::document::Document;
-use camera_lab_desk::operations::placing::{Mark, Placing};
+use camera_lab_desk::{Action, Document, Mark, Model, Placing};
 use camera_lab_words::learn::{exercise_window, lessons};
 use exercises::state::Exercises;
 use lesson::state::Playing;

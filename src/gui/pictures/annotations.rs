@@ -3,7 +3,7 @@
 
 use eframe::egui::Pos2;
 
-use camera_lab_desk::document::source::Source;
+use camera_lab_desk::Source;
 
 /// The annotations over the pictures.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,10 +5,10 @@ use glam::DVec3;
 
 use crate::appearance::Theme;
 use crate::figure::Observer;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::Explained;
 use crate::views::Palette;
 use crate::views::observer::Viewpoint;
-use camera_lab_desk::layout::ObserverChange;
+use camera_lab_desk::ObserverChange;
 use camera_lab_words::window::canvas::CanvasTexts;
 
 /// The length of an axis that lies in the plane of the picture, in points.

@@ -2,12 +2,10 @@
 
 use eframe::egui::{self, Align, Button, Layout, Rect, Response, RichText, TextStyle, Ui, UiBuilder, vec2};
 
-use crate::gui::kit::tooltip::Explained;
-use crate::gui::kit::{elide, theme};
+use crate::gui::kit::{Explained, elide, theme};
 use crate::numerics::diagnosis::Diagnosis;
 use crate::numerics::health::Level;
-use camera_lab_desk::Model;
-use camera_lab_desk::coach::Advice;
+use camera_lab_desk::{Advice, Model};
 use camera_lab_words::Lang;
 use camera_lab_words::window::coach as words;
 

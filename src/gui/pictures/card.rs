@@ -7,7 +7,7 @@ use super::readout::{self, Cell};
 use super::status::{Status, line_height, table};
 use super::{Canvas, Pane};
 use crate::figure::{Depth, Explanation};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::Explained;
 use crate::gui::pictures::pointer::picking::{PickQuery, PickRequest};
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::views::{Hover, Probe, Request, Shot, Size, View, pick};

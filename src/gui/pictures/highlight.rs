@@ -9,9 +9,7 @@ use crate::geometry::{Aabb, try_unit};
 use crate::scene::edit::{descendants, placement};
 use crate::scene::{Light, LightKind, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
-use camera_lab_desk::Model;
-use camera_lab_desk::background::memo::Memo;
-use camera_lab_desk::scene_tree::Selected;
+use camera_lab_desk::{Memo, Model, Selected};
 
 /// The scene with the selection marked in it. Rebuilt only if one of both has changed.
 #[derive(Debug, Default)]

@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::Explained;
 
 /// The icon of a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,7 @@ use eframe::egui::{self, Key, Modifiers};
 
 use super::Canvas;
 use crate::sanitize;
-use camera_lab_desk::Model;
-use camera_lab_desk::background::worker::Running;
+use camera_lab_desk::{Model, Running};
 use camera_lab_words::window::canvas as words;
 use camera_lab_words::window::{progress, scenes};
 

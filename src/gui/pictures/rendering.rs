@@ -13,7 +13,7 @@ use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::{OverBudget, ShadowMaps};
 use crate::progress::Progress;
 use crate::views::{Hover, LabelPlace, MAX_PICTURES, Request};
-use camera_lab_desk::background::worker::{Running, Worker};
+use camera_lab_desk::{Running, Worker};
 
 /// A picture to draw. Two equal jobs give the same pixels.
 #[derive(Clone, Debug, PartialEq)]

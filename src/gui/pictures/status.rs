@@ -8,9 +8,7 @@ use super::brief::Brief;
 use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
-use crate::gui::kit::elide;
-use crate::gui::kit::focus::with_room_before;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, elide, with_room_before};
 use crate::views::{Arrangement, View};
 use camera_lab_words::window::canvas::CanvasTexts;
 

@@ -10,10 +10,7 @@ use eframe::egui::{
 };
 
 use super::icons::{Icon, icon_button};
-use crate::gui::kit::context_help::help_topic;
-use crate::gui::kit::elide;
-use crate::gui::kit::form::choice;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, choice, elide, help_topic};
 use crate::numbers;
 use crate::picture::RenderReport;
 use crate::pipeline::{Stage, StageReport};

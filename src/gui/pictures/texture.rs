@@ -7,7 +7,7 @@ use glam::DVec2;
 
 use crate::picture::Pixels;
 use crate::views;
-use camera_lab_desk::operations::motion::FADE;
+use camera_lab_desk::FADE;
 
 /// One pixel of a picture is one pixel of the screen.
 const OPTIONS: TextureOptions = TextureOptions::NEAREST;

@@ -3,7 +3,7 @@
 
 use eframe::egui::{Context, Pos2, Vec2, ViewportCommand, pos2, vec2};
 
-use camera_lab_desk::layout::WindowPlace;
+use camera_lab_desk::WindowPlace;
 
 /// On screens up to this size, in points, the window has the size that suits them.
 const SMALL: [f32; 2] = [1280.0, 720.0];

@@ -5,10 +5,9 @@ use std::time::{Duration, UNIX_EPOCH};
 use eframe::egui::{self, Align, Label, Layout, RichText, ScrollArea};
 
 use crate::clock;
-use crate::gui::kit::focus::with_room_before;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, with_room_before};
 use crate::sanitize;
-use camera_lab_desk::storage::session::LeftOver;
+use camera_lab_desk::LeftOver;
 use camera_lab_words::Lang;
 use camera_lab_words::window;
 use camera_lab_words::window::sessions::ago;

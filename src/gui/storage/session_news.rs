@@ -3,10 +3,10 @@
 
 use eframe::egui::{self, Label, RichText};
 
-use crate::gui::kit::focus::with_room_before;
+use crate::gui::kit::with_room_before;
 use crate::limits::MAX_SESSIONS;
 use crate::sanitize;
-use camera_lab_desk::storage::session::{Keeping, News, NewsList};
+use camera_lab_desk::{Keeping, News, NewsList};
 use camera_lab_words::window::{self, sessions, sharing};
 use camera_lab_words::{Lang, messages};
 

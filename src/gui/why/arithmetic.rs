@@ -7,9 +7,7 @@ use eframe::egui::{self, CollapsingHeader, RichText, TextStyle, text::LayoutJob}
 
 use crate::camera::Unprojected;
 use crate::explain::{Line, Notation, Setting, Step, Style, back, forward, written};
-use crate::gui::kit::context_help::help_topic;
-use crate::gui::kit::mathematics;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, help_topic, mathematics};
 use crate::gui::why::matrix::digits;
 use camera_lab_words::messages;
 use camera_lab_words::why::explain_point::Texts;

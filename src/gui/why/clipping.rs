@@ -4,12 +4,10 @@
 use eframe::egui::{Button, Ui};
 
 use crate::figure::{Explanation, Outside};
-use crate::gui::kit::form::choice_row;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, choice_row};
 use crate::gui::why::state::explain::Explain;
 use crate::pipeline::divide_before_clip::divided_first;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{Action, AfterSave};
+use camera_lab_desk::{Action, AfterSave, Model};
 use camera_lab_files::ShippedFigure;
 use camera_lab_words::why::explain;
 use camera_lab_words::window::gallery;

@@ -10,19 +10,14 @@ use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::chart::{Axis, Chart, Look, Series};
 use crate::figure::Depth;
-use crate::gui::kit::form::choice_row;
-use crate::gui::kit::number_field::{NumberField, Step};
-use crate::gui::kit::plotting::color_of;
-use crate::gui::kit::plotting::export_button;
-use crate::gui::kit::plotting::{linear_x, logarithmic_x, still};
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{
+    Explained, NumberField, Step, choice_row, color_of, export_button, linear_x, logarithmic_x, still, theme,
+};
 use crate::gui::why::state::explain::Explain;
 use crate::numerics::health::{suggested_planes, with_planes};
 use crate::numerics::{Resolution, Seen, TwoPlanes, resolutions};
 use crate::views::Probe;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::Action;
+use camera_lab_desk::{Action, Model};
 use camera_lab_words::window::{coach as words, compare};
 use camera_lab_words::{Lang, window};
 

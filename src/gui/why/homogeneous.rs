@@ -5,11 +5,7 @@ use glam::{DVec2, DVec3, DVec4};
 
 use crate::camera::{Camera, Projection};
 use crate::explain::homogeneous::{Floor, projected_share};
-use crate::gui::kit::context_help::{help_topic, help_topic_row};
-use crate::gui::kit::form::{complain, section};
-use crate::gui::kit::number_field::{NumberField, Step};
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, NumberField, Step, complain, help_topic, help_topic_row, section, theme};
 use crate::gui::why::state::explain::Explain;
 use crate::sanitize;
 use crate::views::{Palette, Probe};

@@ -24,14 +24,9 @@ mod triangle;
 use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
 
 use crate::figure::Explanation;
-use crate::gui::kit::elide;
-use crate::gui::kit::focus::keep_in_sight;
-use crate::gui::kit::form::toggle;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, elide, keep_in_sight, toggle};
 use crate::gui::why::state::explain::Explain;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::Action;
-use camera_lab_desk::explained::Question;
+use camera_lab_desk::{Action, Model, Question};
 use camera_lab_words::why::explain;
 use camera_lab_words::why::explain::Texts;
 use camera_lab_words::window::compare as words;

@@ -14,16 +14,12 @@ use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, excha
 use crate::explain::{Formula, Placement};
 use crate::figure::TransformPreview;
 use crate::geometry::{Ray, try_unit};
-use crate::gui::kit::form::{alternatives, choice, complaint, section};
-use crate::gui::kit::tooltip::Explained;
-use crate::gui::kit::{mathematics, theme};
+use crate::gui::kit::{Explained, alternatives, choice, complaint, mathematics, section, theme};
 use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::order::{Order, Own};
 use crate::scene::edit::descendants;
 use crate::scene::transform::{Trs, put_on_chain};
-use camera_lab_desk::Model;
-use camera_lab_desk::message::Message;
-use camera_lab_desk::scene_tree::Selected;
+use camera_lab_desk::{Message, Model, Selected};
 use camera_lab_words::why::order as words;
 use camera_lab_words::why::order::Texts;
 

@@ -6,11 +6,7 @@ use eframe::egui::{
 use glam::DVec3;
 
 use crate::explain::order::Call;
-use crate::gui::kit::context_help::help_topic_row;
-use crate::gui::kit::focus::at_right;
-use crate::gui::kit::number_field::{NumberField, Step};
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, NumberField, Step, at_right, help_topic_row, theme};
 use crate::gui::why::state::order::Order;
 use camera_lab_words::why::order as words;
 use camera_lab_words::why::order::Texts;

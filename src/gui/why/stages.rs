@@ -2,8 +2,7 @@
 
 use eframe::egui::{self, RichText, Ui};
 
-use crate::gui::kit::context_help::help_topic;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, help_topic};
 use crate::gui::why::state::explain::Explain;
 use crate::pipeline::Stage;
 use camera_lab_desk::Model;

@@ -5,10 +5,7 @@ use glam::DVec3;
 
 use crate::camera::ImageSize;
 use crate::figure::{ShownTriangle, TriangleStep, View};
-use crate::gui::kit::context_help::{help_topic, help_topic_row};
-use crate::gui::kit::form::{complain, toggle};
-use crate::gui::kit::number_field::{NumberField, Step, whole};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, NumberField, Step, complain, help_topic, help_topic_row, toggle, whole};
 use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::triangle::Covered;
 use crate::numbers::DecimalMark;

@@ -4,10 +4,9 @@ use eframe::egui::{self, Label, RichText};
 
 use crate::gui::app::file_flow;
 use crate::gui::app::state::State;
-use crate::gui::kit::focus::with_room_before;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, with_room_before};
 use crate::sanitize;
-use camera_lab_desk::action::AfterSave;
+use camera_lab_desk::AfterSave;
 use camera_lab_words::window;
 
 /// Shows the bar, if there is something to report.

@@ -8,7 +8,7 @@ use crate::gui::app::state::State;
 use crate::gui::platform::native::{FileQuestion, Wanted};
 use crate::scene::import::MESH_ENDINGS;
 use crate::views::Views;
-use camera_lab_desk::action::FileFor;
+use camera_lab_desk::FileFor;
 use camera_lab_words::file_names::name_of_title;
 use camera_lab_words::learn::{exercise_window, handouts, lessons};
 use camera_lab_words::why::explain;

@@ -9,11 +9,7 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::lessons::{Lesson, OpenLesson};
 use crate::scene::{Shape, TextureSource};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::MeshFor;
-use camera_lab_desk::document::Document;
-use camera_lab_desk::document::source::Source;
-use camera_lab_desk::message::Message;
+use camera_lab_desk::{Document, MeshFor, Message, Model, Source};
 use camera_lab_files::share;
 use camera_lab_files::{self as files, FileError, Opened};
 

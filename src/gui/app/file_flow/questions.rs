@@ -15,13 +15,7 @@ use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::handout::pages::PagesPreview;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
 use crate::sanitize;
-use camera_lab_desk::action::{AfterSave, FileFor};
-use camera_lab_desk::background::worker::Running;
-use camera_lab_desk::comparison::Comparison;
-use camera_lab_desk::history::Revision;
-use camera_lab_desk::message::Message;
-use camera_lab_desk::storage::session::NewsList;
-use camera_lab_desk::watch::Watch;
+use camera_lab_desk::{AfterSave, Comparison, FileFor, Message, NewsList, Revision, Running, Watch};
 use camera_lab_words::window::scenes;
 use camera_lab_words::{Lang, window};
 

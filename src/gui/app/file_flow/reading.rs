@@ -11,9 +11,7 @@ use super::sequence::{Found, Search};
 use crate::clock;
 use crate::lessons::Lesson;
 use crate::progress::Progress;
-use camera_lab_desk::Model;
-use camera_lab_desk::background::worker::{Running, Worker};
-use camera_lab_desk::history::Revision;
+use camera_lab_desk::{Model, Revision, Running, Worker};
 use camera_lab_files::{self as files, FileError, Opened};
 
 /// Time that a frame waits for a file. Files on a disk of this machine are there by then.

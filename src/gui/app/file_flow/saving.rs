@@ -9,10 +9,8 @@ use eframe::egui;
 use crate::clock;
 use crate::figure::{Figure, update};
 use crate::progress::Progress;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::AfterSave;
-use camera_lab_desk::background::worker::{self, Worker};
-use camera_lab_desk::history::Revision;
+use camera_lab_desk::background::worker::{self};
+use camera_lab_desk::{AfterSave, Model, Revision, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
 
 /// Time that a frame waits for the file. On a disk of this machine it's written by then.

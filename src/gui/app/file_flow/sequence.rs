@@ -8,10 +8,7 @@ use std::path::Path;
 
 use crate::gui::app::state::State;
 use crate::gui::gallery::figures_in;
-use camera_lab_desk::Model;
-use camera_lab_desk::document::Document;
-use camera_lab_desk::document::source::Source;
-use camera_lab_desk::message::Message;
+use camera_lab_desk::{Document, Message, Model, Source};
 use camera_lab_files::{SHIPPED_FIGURES, open_figure};
 
 /// The inputs of the search for the next figure.

@@ -24,7 +24,7 @@ use crate::gui::export::family_choice::{FamilyChoice, Subject, Varied};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
-use camera_lab_desk::layout::{Side, WindowPlace};
+use camera_lab_desk::{Side, WindowPlace};
 pub use store::Preferences;
 
 /// The conventions for the signs of rotations, by the names in `--convention`.

@@ -15,10 +15,8 @@ use crate::exercises::Progress;
 use crate::gui::app::preferences::answers::{self, NOTHING};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Chosen, Done, Typed};
-use camera_lab_desk::Model;
-use camera_lab_desk::message::Message;
-use camera_lab_desk::storage::session::{Keeping, News};
-use camera_lab_desk::storage::shared_file::{Change, MAX_WAIT, SharedFile};
+use camera_lab_desk::storage::shared_file::{Change, MAX_WAIT};
+use camera_lab_desk::{Keeping, Message, Model, News, SharedFile};
 
 /// The progress of one window.
 #[derive(Clone, Debug)]

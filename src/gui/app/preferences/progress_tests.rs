@@ -10,7 +10,7 @@ use crate::exercises::{Free, Stage, check, entry};
 use crate::gui::app::preferences::store::tests::Folder;
 use crate::gui::app::state::State;
 use crate::gui::learn::exercises::state::{Chosen, Done, Typed};
-use camera_lab_desk::storage::session::News;
+use camera_lab_desk::News;
 
 fn basis() -> Chosen {
     Chosen { id: "basis".to_owned(), seed: 3 }

@@ -15,9 +15,8 @@ use crate::gui::app::preferences::{
     recent, values,
 };
 use crate::gui::app::state::State;
-use camera_lab_desk::storage::recent::{Recent, merged};
-use camera_lab_desk::storage::session::{Keeping, News};
-use camera_lab_desk::storage::shared_file::{Change, MAX_WAIT, SharedFile};
+use camera_lab_desk::storage::shared_file::{Change, MAX_WAIT};
+use camera_lab_desk::{Keeping, News, Recent, SharedFile, merged};
 use camera_lab_files as files;
 
 /// The changes of one window.

@@ -6,7 +6,7 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::closure::Closure;
 use web_sys::{KeyboardEvent, Window};
 
-use crate::gui::kit::command::Command;
+use crate::gui::kit::Command;
 
 /// Keeps the browser from acting on the keys of this program. It still gets those that it reserves for itself.
 pub(in crate::gui) fn keep_from_browser(window: &Window) -> Result<(), JsValue> {

@@ -21,7 +21,7 @@ use crate::gui::app::file_flow;
 use crate::gui::platform::native;
 use crate::gui::{App, GuiError, LaunchOptions, Start, State, fresh};
 use crate::scene::import::MESH_ENDINGS;
-use camera_lab_desk::action::AfterSave;
+use camera_lab_desk::AfterSave;
 use camera_lab_files::disk::page::KEPT;
 use camera_lab_files::share;
 use camera_lab_files::{self as files, SourceFile};

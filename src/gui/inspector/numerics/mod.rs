@@ -9,14 +9,10 @@ use std::time::Duration;
 use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
 use crate::gui::inspector::numerics::state::Numerics;
-use crate::gui::kit::focus::keep_in_sight;
-use crate::gui::kit::form::choice;
-use crate::gui::kit::plotting::{color_of, export_button};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, choice, color_of, export_button, keep_in_sight};
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{Action, AfterSave};
+use camera_lab_desk::{Action, AfterSave, Model};
 use camera_lab_words::why::numerics as words;
 
 /// Interval between looks at the progress.

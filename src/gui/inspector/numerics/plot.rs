@@ -4,7 +4,7 @@ use eframe::egui::{self, Ui};
 use egui_plot::{Line, LineStyle, Plot, PlotPoint, PlotPoints, Points};
 
 use crate::chart::{Chart, Look, Series};
-use crate::gui::kit::plotting::{color_of, logarithmic_x, logarithmic_y, still};
+use crate::gui::kit::{color_of, logarithmic_x, logarithmic_y, still};
 use crate::numbers::significant;
 use crate::numerics::charts::Pair;
 use crate::numerics::{Findings, Row};

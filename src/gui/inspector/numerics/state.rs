@@ -8,8 +8,7 @@ use eframe::egui;
 
 use crate::numerics::{self, Effort, Findings, Study};
 use crate::progress::Progress;
-use camera_lab_desk::background::memo::Latest;
-use camera_lab_desk::background::worker::Running;
+use camera_lab_desk::{Latest, Running};
 
 /// The panel of studies.
 #[derive(Debug)]

@@ -7,14 +7,12 @@ use crate::appearance::Rgba;
 use crate::camera::{Convergence, Projection};
 use crate::figure::{Comparison, NamedCamera};
 use crate::gui::inspector::section;
-use crate::gui::kit::number_field::{self, NumberField, Step};
-use crate::gui::kit::text_field::KeptLine;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::number_field::{self};
+use crate::gui::kit::{Explained, KeptLine, NumberField, Step};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
 use crate::sanitize::escaped;
 use crate::views::{OtherCamera, Palette};
-use camera_lab_desk::Model;
-use camera_lab_desk::cameras::CameraList;
+use camera_lab_desk::{CameraList, Model};
 use camera_lab_words::window;
 use camera_lab_words::window::cameras::{self, Texts};
 

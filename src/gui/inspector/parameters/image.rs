@@ -8,12 +8,9 @@ use super::{complain, photograph, row};
 use crate::camera::{ImageSize, Viewport};
 use crate::explain::Symbol;
 use crate::gui::inspector::{more, section};
-use crate::gui::kit::context_help::{has_focus, help_topic_row};
-use crate::gui::kit::number_field::{NumberField, Step, whole};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, NumberField, Step, has_focus, help_topic_row, whole};
 use crate::limits;
-use camera_lab_desk::Model;
-use camera_lab_desk::photograph::PhotographTool;
+use camera_lab_desk::{Model, PhotographTool};
 use camera_lab_words::why::notes;
 use camera_lab_words::window::{self, Texts};
 

@@ -6,8 +6,7 @@ use eframe::egui::{self, Popup, PopupCloseBehavior};
 use super::free_window::closed;
 use super::{ParameterForm, complain, row, toggle};
 use crate::camera::{Camera, LensForm, LensNumbers, Parameters, Sensor, SensorFit};
-use crate::gui::kit::number_field::{NumberField, Step};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, NumberField, Step};
 use crate::numbers::EXACT_DIGITS;
 use camera_lab_words::window::lens::{self, Texts};
 

@@ -17,19 +17,12 @@ use super::{complain, complaint, row, toggle};
 use crate::camera::{Camera, CameraError, CameraRepair, ImageSize, LensForm, ParameterKey, Parameters, camera_repairs};
 use crate::explain::Symbol;
 use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
-use crate::gui::kit::command::Command;
-use crate::gui::kit::context_help::{has_focus, help_topic_row};
-use crate::gui::kit::focus::keep_in_sight;
-use crate::gui::kit::keys::written;
-use crate::gui::kit::number_field::{FieldOutput, NumberField};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{
+    Command, Explained, FieldOutput, NumberField, has_focus, help_topic_row, keep_in_sight, written,
+};
 use crate::numbers;
 use crate::scene::Preset;
-use camera_lab_desk::Model;
-use camera_lab_desk::cameras::CameraList;
-use camera_lab_desk::explained::matrices::symbols_of;
-use camera_lab_desk::layout::Tab;
-use camera_lab_desk::photograph::PhotographTool;
+use camera_lab_desk::{CameraList, Model, PhotographTool, Tab, symbols_of};
 use camera_lab_words::Lang;
 use camera_lab_words::messages::faults;
 use camera_lab_words::why::{explain_point, notes};

@@ -6,14 +6,12 @@ use super::row;
 use crate::camera::ImageSize;
 use crate::figure::Photograph;
 use crate::gui::inspector::scene;
-use crate::gui::kit::number_field::{self, NumberField, Step};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::number_field::{self};
+use crate::gui::kit::{Explained, NumberField, Step};
 use crate::sanitize;
 use crate::scene::MeshNotice;
 use crate::views::View;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{Action, FileFor};
-use camera_lab_desk::photograph::PhotographTool;
+use camera_lab_desk::{Action, FileFor, Model, PhotographTool};
 use camera_lab_words::window::photograph::{self as words, Texts};
 use camera_lab_words::{messages, window};
 

@@ -6,7 +6,7 @@ use super::row;
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::figure::Explanation;
 use crate::gui::inspector::{choice_row, more, section};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::Explained;
 use camera_lab_desk::Model;
 use camera_lab_words::window;
 

@@ -4,7 +4,7 @@ use eframe::egui;
 
 use crate::figure::{WorldPart, WorldParts};
 use crate::gui::inspector::{choice_row, section};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::Explained;
 use crate::numbers::significant;
 use camera_lab_desk::Model;
 use camera_lab_words::pictures::labels;

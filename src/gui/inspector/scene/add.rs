@@ -4,13 +4,10 @@ use eframe::egui;
 use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::Explained;
 use crate::numbers;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, ObjectSpec, Shape};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{Action, FileFor, MeshFor};
-use camera_lab_desk::insert::{free_place, rounded};
-use camera_lab_desk::scene_tree::Selected;
+use camera_lab_desk::{Action, FileFor, MeshFor, Model, Selected, free_place, rounded};
 use camera_lab_words::window::scenes::Texts;
 
 /// The menu of objects and lights to add.

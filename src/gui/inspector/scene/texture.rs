@@ -5,12 +5,10 @@ use eframe::egui::{self, RichText};
 use super::{SceneForm, file_row};
 use crate::appearance::{Filter, TextureReveal, Wrap};
 use crate::gui::inspector::{choice_row, row};
-use crate::gui::kit::number_field::{NumberField, Step};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, NumberField, Step};
 use crate::limits::MAX_TEXTURE_SCALE;
 use crate::scene::{MeshNotice, ObjectPaint, Shape, TextureSource};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{Action, FileFor};
+use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_words::{messages, window};
 
 /// The fields of the texture of the object at this place of the list.

@@ -10,13 +10,11 @@ use eframe::egui::{
 
 use super::Edit;
 use crate::appearance::Rgba;
-use crate::gui::kit::focus::keep_in_sight;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, keep_in_sight};
 use crate::sanitize::escaped;
 use crate::scene::edit::descendants;
 use crate::scene::{LightKind, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
-use camera_lab_desk::Model;
-use camera_lab_desk::scene_tree::{Selected, preset_objects};
+use camera_lab_desk::{Model, Selected, preset_objects};
 use camera_lab_words::window::scenes::{Texts, preset_object};
 
 /// Width of a step of the tree, in points.

@@ -4,9 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::Action;
-use camera_lab_desk::message::Message;
+use camera_lab_desk::{Action, Message, Model};
 use camera_lab_files::{FileError, Opened};
 
 /// The values of the dialog that no figure has yet.

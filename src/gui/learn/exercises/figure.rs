@@ -14,7 +14,7 @@ use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::scene::no_files;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
-use camera_lab_desk::background::memo::Memo;
+use camera_lab_desk::Memo;
 use camera_lab_words::{Lang, pictures};
 
 /// The size of the small picture, in pixels.

@@ -4,8 +4,7 @@ use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{self, Button, Key, RichText, Role, TextStyle, Ui, WidgetInfo};
 
 use crate::exercises::{Entry, Stage};
-use crate::gui::kit::text_field::TextField;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, TextField};
 use crate::gui::learn::exercises::state::{Chosen, Exercises};
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;

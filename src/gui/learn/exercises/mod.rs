@@ -16,8 +16,7 @@ use eframe::egui::{self, Key, Modifiers, Ui};
 
 use crate::clock;
 use crate::exercises::{self, Ask, Entry, Exercise};
-use crate::gui::kit::prose;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, prose};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Checked, Chosen, Done, joined};
 use camera_lab_desk::Model;

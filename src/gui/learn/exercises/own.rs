@@ -2,12 +2,10 @@
 
 use eframe::egui::{CollapsingHeader, RichText, Ui};
 
-use crate::gui::kit::form::complaint;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, complaint};
 use crate::gui::learn::Learn;
 use crate::sanitize;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{Action, FileFor};
+use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_files::BadExercise;
 use camera_lab_words::learn::exercise_window::Texts;
 use camera_lab_words::messages;

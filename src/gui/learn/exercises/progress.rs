@@ -3,12 +3,10 @@
 use eframe::egui::{self, RichText, Ui};
 
 use crate::exercises::{Made, Mistake};
-use crate::gui::kit::prose;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, prose};
 use crate::gui::learn::Learn;
 use crate::sanitize;
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{Action, FileFor};
+use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_words::learn::exercise_window::Texts;
 use camera_lab_words::learn::exercises as said;
 

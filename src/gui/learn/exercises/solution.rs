@@ -10,11 +10,7 @@ use crate::camera::{Camera, MatrixKind, Parameters, Reading, RecoveryError, reco
 use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
 use crate::explain::{Notation, Style};
 use crate::expression::{Dimension, evaluate_with};
-use crate::gui::kit::form::complaint;
-use crate::gui::kit::mathematics::{Both, Links, chain};
-use crate::gui::kit::prose;
-use crate::gui::kit::text_field::TextField;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Both, Explained, Links, TextField, chain, complaint, prose};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Described, NotCamera};
 use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};

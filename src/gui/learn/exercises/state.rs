@@ -11,7 +11,7 @@ use crate::clock;
 use crate::exercises::{self, Answer, Ask, Entry, Exercise, Free, Guess, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
 use crate::lessons::in_order_of_lessons;
-use camera_lab_desk::operations::placing::{Mark, Placing};
+use camera_lab_desk::{Mark, Placing};
 use camera_lab_files::{self as files, FileError, OwnExercises};
 
 /// An exercise with the numbers of a seed.

@@ -3,10 +3,7 @@
 use eframe::egui::{self, Align2, Button, CollapsingHeader, Image, RichText, Ui, vec2};
 
 use super::{Sheet, figure};
-use crate::gui::kit::form::complaint;
-use crate::gui::kit::prose;
-use crate::gui::kit::text_field::TextField;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, TextField, complaint, prose};
 use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{Way, lesson_of};
 use crate::limits::MAX_EXPRESSION;

@@ -4,8 +4,7 @@ use eframe::egui::{self, RichText, Ui};
 
 use super::{Sheet, solution};
 use crate::exercises::{self, Ask, MANY_WRONG};
-use crate::gui::kit::prose;
-use crate::gui::kit::theme;
+use crate::gui::kit::{prose, theme};
 use crate::gui::learn::exercises::state::{Chosen, joined};
 use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{Way, lesson_of};

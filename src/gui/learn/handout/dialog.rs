@@ -2,9 +2,7 @@
 
 use eframe::egui::{self, Button, Color32, ComboBox, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
-use crate::gui::kit::dialog_buttons::{Pressed, buttons};
-use crate::gui::kit::number_field::{NumberField, Step, whole};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, NumberField, Pressed, Step, buttons, whole};
 use crate::gui::learn::Learn;
 use crate::gui::learn::handout::form::{HandoutForm, MAX_SEED, played};
 use crate::gui::learn::handout::pages::PagesPreview;

@@ -3,7 +3,7 @@
 use crate::exercises::Exercise;
 use crate::gui::learn::Learn;
 use crate::lessons::{OpenLesson, shipped};
-use camera_lab_desk::handout_job::{Content, Job};
+use camera_lab_desk::{Content, Job};
 use camera_lab_words::Lang;
 use camera_lab_words::handout::HandoutOptions;
 

@@ -10,9 +10,7 @@ use crate::export::vector::{Page, pixels};
 use crate::lessons::OpenLesson;
 use crate::picture::PictureError;
 use crate::progress::Progress;
-use camera_lab_desk::background::worker::Worker;
-use camera_lab_desk::export_error::ExportError;
-use camera_lab_desk::handout_job::Job;
+use camera_lab_desk::{ExportError, Job, Worker};
 use camera_lab_words::handout::HandoutOptions;
 
 /// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.

@@ -5,15 +5,12 @@ use eframe::egui::{Button, Id, RichText, Ui};
 
 use super::task_fields;
 use super::writing::{FIELDS_OF_STEP, Fields, Writing};
-use crate::gui::kit::number_field;
-use crate::gui::kit::text_field::TextField;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, TextField, number_field};
 use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::writing::StepChange;
 use crate::lessons::TaskKind;
 use crate::limits::{MAX_TITLE, MAX_TYPED};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{Action, AfterSave};
+use camera_lab_desk::{Action, AfterSave, Model};
 use camera_lab_words::learn::lesson_tasks;
 use camera_lab_words::learn::lessons::Texts;
 use camera_lab_words::{Lang, messages, told_mut};

@@ -5,9 +5,7 @@ use std::collections::BTreeMap;
 use eframe::egui::{self, Align, Context, Key, Layout, Modifiers, RichText, Sense, Ui, vec2};
 
 use crate::exercises::{Ask, Exercise, Expected, ExpectedAnswer, Kind};
-use crate::gui::kit::prose;
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, prose, theme};
 use crate::gui::learn::Learn;
 use crate::lessons::{Step, Task};
 use camera_lab_desk::Model;

@@ -2,13 +2,10 @@
 
 use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, Ui};
 
-use crate::gui::kit::focus::at_right;
-use crate::gui::kit::prose;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, at_right, prose};
 use crate::gui::learn::Learn;
 use crate::lessons::{OpenLesson, shipped};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::{Action, AfterSave};
+use camera_lab_desk::{Action, AfterSave, Model};
 use camera_lab_words::learn::lessons as words;
 use camera_lab_words::{told, window};
 

@@ -18,16 +18,11 @@ use std::time::Duration;
 use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
 
 use crate::figure::{Bilingual, Explanation};
-use crate::gui::kit::command::Command;
-use crate::gui::kit::focus;
-use crate::gui::kit::focus::Region;
-use crate::gui::kit::tooltip::Explained;
-use crate::gui::kit::{prose, theme};
+use crate::gui::kit::{Command, Explained, Region, focus, prose, theme};
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{self, Lesson, Link, Task};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::Action;
+use camera_lab_desk::{Action, Model};
 use camera_lab_words::learn::exercises;
 use camera_lab_words::learn::lessons as words;
 use camera_lab_words::learn::lessons::Texts;

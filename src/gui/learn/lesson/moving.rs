@@ -6,9 +6,7 @@ use crate::camera::{Camera, Parameters};
 use crate::gui::learn::Learn;
 use crate::lessons::Passage;
 use crate::numbers::round_to;
-use camera_lab_desk::Model;
-use camera_lab_desk::document::Document;
-use camera_lab_desk::operations::motion::FADE;
+use camera_lab_desk::{Document, FADE, Model};
 
 /// A move from one step to another.
 #[derive(Debug)]

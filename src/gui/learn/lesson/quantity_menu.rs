@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 
 use crate::camera::ParameterKey;
 use crate::figure::{Bilingual, Figure};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::Explained;
 use crate::inspect::Report;
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, ReportMatrix, WindowNumber};
 use camera_lab_words::learn::lesson_tasks::Texts;

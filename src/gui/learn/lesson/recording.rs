@@ -8,9 +8,7 @@ use crate::gui::learn::Learn;
 use crate::lessons::{Draft, Lesson, with_step};
 use crate::scene::Wanted;
 use crate::views::View;
-use camera_lab_desk::Model;
-use camera_lab_desk::layout::Side;
-use camera_lab_desk::message::Message;
+use camera_lab_desk::{Message, Model, Side};
 use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Overwrite};
 use camera_lab_words::learn::lessons as words;
 

@@ -4,10 +4,7 @@ use eframe::egui::{
     self, Button, CollapsingHeader, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId, vec2,
 };
 
-use crate::gui::kit::command::Command;
-use crate::gui::kit::focus::at_right;
-use crate::gui::kit::prose;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Command, Explained, at_right, prose};
 use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::state::Playing;
 use crate::lessons::{self, Task};

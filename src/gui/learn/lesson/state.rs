@@ -13,11 +13,7 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::lesson::writing::Writing;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
-use camera_lab_desk::Model;
-use camera_lab_desk::document::Document;
-use camera_lab_desk::history::Revision;
-use camera_lab_desk::layout::Panels;
-use camera_lab_desk::message::Message;
+use camera_lab_desk::{Document, Message, Model, Panels, Revision};
 use camera_lab_files as files;
 use camera_lab_files::share;
 

@@ -4,9 +4,7 @@ use eframe::egui::{RichText, Ui};
 
 use super::hands;
 use crate::figure::{Bilingual, Explanation};
-use crate::gui::kit::prose;
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, prose, theme};
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, exercises};
 use crate::lessons::{Step, Task};

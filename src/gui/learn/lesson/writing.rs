@@ -13,9 +13,7 @@ use crate::lessons::{
     words_in_file,
 };
 use crate::numbers::significant;
-use camera_lab_desk::Model;
-use camera_lab_desk::message::Message;
-use camera_lab_desk::unsaved_text::UnsavedText;
+use camera_lab_desk::{Message, Model, UnsavedText};
 use camera_lab_files::share;
 use camera_lab_files::{self as files, FileError, Overwrite};
 use camera_lab_words::Lang;

@@ -7,9 +7,7 @@ use super::orbit;
 use crate::figure::Observer;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{View, observer_in};
-use camera_lab_desk::Model;
-use camera_lab_desk::layout::ObserverChange;
-use camera_lab_desk::message::Message;
+use camera_lab_desk::{Message, Model, ObserverChange};
 
 impl Canvas {
     /// Decides the observers of the three-dimensional pictures in this frame.

@@ -6,7 +6,7 @@ use glam::DVec2;
 use crate::figure::{Observer, Observers};
 use crate::views::observer::Viewpoint;
 use crate::views::{Request, Size, View};
-use camera_lab_desk::layout::ObserverChange;
+use camera_lab_desk::ObserverChange;
 
 /// Degrees of orbit for one point of pointer motion.
 pub(in crate::gui::pictures) const DEGREES_PER_POINT: f64 = 0.5;

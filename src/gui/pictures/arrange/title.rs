@@ -2,13 +2,11 @@
 
 use eframe::egui::{self, Align2, Id, Popup, Rect, RichText, Sense, TextStyle, Ui, UiBuilder, WidgetText};
 
-use crate::gui::kit::command::Command;
-use crate::gui::kit::keys::written;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Command, Explained, written};
 use crate::gui::pictures::icons::{Icon, icon_button, left_center};
 use crate::views::View;
 use crate::views::observer::Viewpoint;
-use camera_lab_desk::layout::ObserverChange;
+use camera_lab_desk::ObserverChange;
 use camera_lab_words::window;
 use camera_lab_words::window::canvas::CanvasTexts;
 

@@ -3,12 +3,9 @@
 use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
 use crate::camera::{Camera, PhotographCamera, WorldAxis};
-use crate::gui::kit::number_field::{NumberField, Step};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, NumberField, Step};
 use crate::gui::pictures::{Canvas, Pane};
-use camera_lab_desk::Model;
-use camera_lab_desk::photograph::Drawn;
-use camera_lab_desk::photograph::PhotographTool;
+use camera_lab_desk::{Drawn, Model, PhotographTool};
 use camera_lab_words::why::photograph as steps;
 use camera_lab_words::window;
 use camera_lab_words::window::photograph as words;

@@ -13,8 +13,7 @@ use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{Palette, View};
-use camera_lab_desk::Model;
-use camera_lab_desk::photograph::{Drawn, Grip, PhotographTool, SHORTEST};
+use camera_lab_desk::{Drawn, Grip, Model, PhotographTool, SHORTEST};
 use camera_lab_words::window::photograph as words;
 
 /// The radius of a grip, and that in which the pointer catches it, in points.

@@ -22,10 +22,7 @@ use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
 use crate::views::{Handle, Hover, Probe, Request, Transforming, View, pick};
-use camera_lab_desk::Model;
-use camera_lab_desk::layout::ObserverChange;
-use camera_lab_desk::operations::placing::Placing;
-use camera_lab_desk::photograph::PhotographTool;
+use camera_lab_desk::{Model, ObserverChange, PhotographTool, Placing};
 use camera_lab_words::window::canvas::CanvasTexts;
 
 /// Logarithm of the zoom for one point of the wheel.

@@ -6,8 +6,7 @@ use super::handle_drag;
 use crate::gui::pictures::Pane;
 use crate::sanitize::escaped;
 use crate::views::{Request, View, camera_at};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::Action;
+use camera_lab_desk::{Action, Model};
 use camera_lab_words::window::cameras;
 
 /// The place in the list of the camera at the pointer (pixels).

@@ -11,8 +11,8 @@ use crate::figure::Depth;
 use crate::progress::{Progress, at_once, pause};
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Request, View, pick};
-use camera_lab_desk::background::memo::{Latest, MAX_WAIT};
-use camera_lab_desk::scene_cache::is_heavy;
+use camera_lab_desk::background::memo::MAX_WAIT;
+use camera_lab_desk::{Latest, is_heavy};
 
 /// Distance within which the pointer catches a vertex, in points.
 pub(in crate::gui::pictures) const REACH: f32 = 7.0;

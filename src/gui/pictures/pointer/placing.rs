@@ -8,9 +8,7 @@ use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{View, pick};
-use camera_lab_desk::Model;
-use camera_lab_desk::action::Action;
-use camera_lab_desk::operations::placing::Placing;
+use camera_lab_desk::{Action, Model, Placing};
 
 /// Half a side of the cross, and the radius of the rings, in points.
 const CROSS: f32 = 11.0;

@@ -9,9 +9,7 @@ use super::picking::{PickQuery, PickRequest};
 use crate::figure::Explanation;
 use crate::gui::pictures::{Canvas, Inputs, Pane};
 use crate::views::{Hover, Request, View};
-use camera_lab_desk::Model;
-use camera_lab_desk::layout::{Side, Tab};
-use camera_lab_desk::scene_tree::Selected;
+use camera_lab_desk::{Model, Selected, Side, Tab};
 
 /// A click on an object or on a triangle.
 pub(in crate::gui::pictures) struct Click {

@@ -11,8 +11,7 @@ use crate::scene::transform::{Transform, frame, transform, turned};
 use crate::scene::{Light, LightKind, SceneError, SceneSpec};
 use crate::views::transform_gizmo::Pull;
 use crate::views::{GizmoPart, TransformGizmo, Transforming};
-use camera_lab_desk::Model;
-use camera_lab_desk::scene_tree::Selected;
+use camera_lab_desk::{Model, Selected};
 
 /// The step of turns while the modifier is held, in degrees.
 const SNAP_TURN: f64 = 15.0;

@@ -8,9 +8,8 @@ use crate::progress::Progress;
 use crate::scene::edit::placements;
 use crate::scene::{Scene, SceneSpec, ShapeData};
 use crate::views::SharedScene;
-use camera_lab_desk::background::memo::{Latest, MAX_WAIT, Memo};
-use camera_lab_desk::scene_cache::is_heavy;
-use camera_lab_desk::scene_tree::{Selected, preset_objects};
+use camera_lab_desk::background::memo::MAX_WAIT;
+use camera_lab_desk::{Latest, Memo, Selected, is_heavy, preset_objects};
 
 /// A vertex, as people call it.
 #[derive(Clone, Debug, PartialEq, Eq)]

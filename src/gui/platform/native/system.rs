@@ -11,7 +11,7 @@ use eframe::egui;
 use super::{FileAnswer, FileQuestion, Wanted};
 use crate::clock;
 use crate::progress::Progress;
-use camera_lab_desk::background::worker::{Done, Worker};
+use camera_lab_desk::{Done, Worker};
 
 /// A user can't read and close a dialog this fast, so there was none.
 const IMPOSSIBLE: Duration = Duration::from_millis(100);

@@ -4,9 +4,7 @@ use eframe::egui::{self, FontId, TextStyle};
 
 use crate::explain::Setting;
 use crate::explain::code::CodeTarget;
-use crate::gui::kit::form::choice;
-use crate::gui::kit::text_field::TextField;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, TextField, choice};
 use crate::gui::why::state::explain::Explain;
 use camera_lab_desk::Model;
 use camera_lab_words::why::{code, dialects, explain};

@@ -3,8 +3,7 @@
 use eframe::egui;
 
 use crate::camera::{Api, Ndc};
-use crate::gui::kit::form::{choice_row, complaint};
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, choice_row, complaint};
 use crate::gui::why::state::explain::Explain;
 use camera_lab_desk::Model;
 use camera_lab_words::why::conventions;

@@ -7,11 +7,9 @@ use crate::camera::{Camera, Parameters, Projection};
 use crate::explain::vocabulary::{Argument, CameraNumber, Limitation, Line, Vocabulary};
 use crate::explain::{Axis, Component, Symbol};
 use crate::figure::Measured;
-use crate::gui::kit::context_help::{has_focus, help_topic, help_topic_row};
-use crate::gui::kit::form::{complaint, section};
-use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{
+    Explained, FieldOutput, NumberField, Step, complaint, has_focus, help_topic, help_topic_row, section, theme,
+};
 use crate::gui::why::measures::of_symbol;
 use crate::gui::why::state::explain::Explain;
 use crate::numbers::{is_rest, power_of_ten};

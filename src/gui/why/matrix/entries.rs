@@ -5,9 +5,7 @@ use eframe::egui::{
     pos2, vec2,
 };
 
-use crate::gui::kit::context_help::help_topic;
-use crate::gui::kit::mathematics::Formula;
-use crate::gui::kit::mathematics::brackets;
+use crate::gui::kit::{Formula, brackets, help_topic};
 
 /// A written entry.
 #[derive(Clone, Debug)]

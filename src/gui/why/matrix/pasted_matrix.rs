@@ -7,12 +7,7 @@ use crate::camera::{
     RecoveryError, Stated, camera_names, read_cameras, recognise,
 };
 use crate::explain::vocabulary::Vocabulary;
-use crate::gui::kit::context_help::help_topic;
-use crate::gui::kit::form::{choice_row, complaint, row};
-use crate::gui::kit::number_field::{NumberField, Step, whole};
-use crate::gui::kit::text_field::TextField;
-use crate::gui::kit::theme;
-use crate::gui::kit::tooltip::Explained;
+use crate::gui::kit::{Explained, NumberField, Step, TextField, choice_row, complaint, help_topic, row, theme, whole};
 use crate::gui::why::state::explain::Explain;
 use crate::limits::{MAX_ANSWER, MAX_SIDE};
 use crate::sanitize;

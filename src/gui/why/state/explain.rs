@@ -8,8 +8,7 @@ use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
 use crate::figure::Explanation;
 use crate::views::SharedScene;
-use camera_lab_desk::Model;
-use camera_lab_desk::background::memo::Memo;
+use camera_lab_desk::{Memo, Model};
 
 /// The explanations. Their visibility is in [`Panels`](camera_lab_desk::layout::Panels).
 #[derive(Debug)]

@@ -10,8 +10,8 @@ use crate::picture::{FollowedTriangle, TrianglePixels};
 use crate::pipeline::one_triangle::TriangleSteps;
 use crate::progress::{Progress, at_once};
 use crate::views::Request;
-use camera_lab_desk::background::memo::{Latest, MAX_WAIT};
-use camera_lab_desk::scene_cache::is_heavy;
+use camera_lab_desk::background::memo::MAX_WAIT;
+use camera_lab_desk::{Latest, is_heavy};
 
 /// The numbers of the triangle followed step by step.
 #[derive(Debug)]
