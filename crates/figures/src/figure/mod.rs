@@ -6,6 +6,7 @@ mod cameras;
 mod comparison;
 mod edit;
 pub mod error;
+mod keys;
 pub mod labels;
 mod near;
 pub mod observer;
@@ -31,6 +32,7 @@ pub use cameras::{CameraTag, NamedCamera};
 pub use comparison::Comparison;
 pub use edit::{Difference, difference, has, number_at, show_with, update, varied, varied_together};
 pub use error::FigureError;
+pub use keys::KEYS;
 pub use labels::{
     LabelChange, LabelledMeasure, Labels, Letters, MeasureText, MovedLabel, Note, NotePlace, RenamedLabel, StyledLabel,
 };

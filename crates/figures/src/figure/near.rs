@@ -1,5 +1,7 @@
 //! Guesses the key that an author probably meant.
 
+use super::keys::KEYS;
+
 /// Keys and words, with their names in other programs and in the notes, and typing errors.
 const SYNONYMS: &[(&str, &str)] = &[
     ("view_angle", "fov fovy fov_y field_of_view angle theta viewangle"),
@@ -44,17 +46,8 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("torus", "donut"),
 ];
 
-/// Sections and their keys, for keys in the wrong section.
-const HOMES: &[(&str, &str)] = &[
-    ("camera", "position focal_point view_up projection view_angle aspect near far window"),
-    ("image", "width height undistorted photograph photograph_opacity"),
-    ("viewport", "depth_near depth_far"),
-    ("scene", "preset objects lights"),
-    ("style", "shading visibility hidden_lines antialias theme depth_format"),
-    ("reveal", "depth outside clipping divide_first culled vanishing single_precision"),
-    ("screen", "pictures arrangement panel"),
-    ("compare", "wiper differences"),
-];
+/// Keys that several sections have, so the section says little about them in a wrong place.
+const AMBIGUOUS: [&str; 4] = ["camera.name", "camera.color", "camera.height", "compare.camera"];
 
 /// The entry of `known` that `word` probably means, or the section where the key belongs.
 pub(super) fn key(word: &str, known: &[&str]) -> Option<String> {
@@ -84,8 +77,17 @@ fn synonym(word: &str, known: &[&str]) -> Option<String> {
     SYNONYMS.iter().find(|(key, words)| has(words, &word) && known.contains(key)).map(|(key, _)| (*key).to_owned())
 }
 
+/// The section of a key in the wrong one.
 fn home(key: &str) -> Option<String> {
-    HOMES.iter().find(|(_, keys)| has(keys, key)).map(|(section, _)| format!("[{section}] {key}"))
+    let is_home = |path: &&String| {
+        let mut names = path.split('.');
+        let section = names.next();
+        names.next() == Some(key)
+            && !matches!(section, Some("cameras" | "points"))
+            && !AMBIGUOUS.contains(&path.as_str())
+    };
+    let path = KEYS.iter().filter(|_| key.len() > 1).find(is_home)?;
+    Some(format!("[{}] {key}", path.split('.').next()?))
 }
 
 fn has(words: &str, word: &str) -> bool {

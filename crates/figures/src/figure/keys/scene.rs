@@ -1,0 +1,219 @@
+//! `[scene]`: a preset, a tree of objects, lights.
+
+use glam::{DVec2, DVec3};
+
+use super::Keys;
+use crate::appearance::{Filter, Theme, Wrap};
+use crate::figure::error::{Allowed, Problem};
+use crate::figure::near;
+use crate::figure::read::{Fault, Section};
+use crate::figure::words::{LIGHTS, PRESETS, SHAPES};
+use crate::figure::write::{pair, quoted, vectors};
+use crate::limits::{MAX_SEGMENTS, MAX_TEXTURE_SCALE, MIN_SEGMENTS};
+use crate::scene::palette::SceneColors;
+use crate::scene::{
+    Light, LightKind, ObjectSpec, Preset, SceneError, SceneSpec, Shadows, Shape, ShapeData, TextureSource, check,
+    preset_objects,
+};
+
+/// The section. If no preset is named it's the default one, unless objects are listed, because then these alone are the
+/// scene.
+pub(super) fn scene(keys: &mut Keys<'_>, scene: &mut SceneSpec) {
+    let mut places = Places::default();
+    if keys.is_writing() {
+        keys.word("preset", PRESETS, &mut scene.preset);
+    }
+    let blank = |i: usize| ObjectSpec { shape: None, ..ObjectSpec::new(default_name(i), Shape::Box) };
+    keys.list("objects", "[[scene.objects]]", usize::MAX, &mut scene.objects, blank, |keys, o, _| {
+        places.objects.extend(keys.reading().map(|section| places_of(section)));
+        object(keys, o);
+        true
+    });
+    if !keys.is_writing() {
+        let alone = if scene.objects.is_empty() { Preset::default() } else { Preset::Empty };
+        scene.preset = alone;
+        keys.word("preset", PRESETS, &mut scene.preset);
+    }
+    let blank = |_| Light::point(DVec3::ZERO);
+    keys.list("lights", "[[scene.lights]]", usize::MAX, &mut scene.lights, blank, |keys, l, _| {
+        light(keys, l, &mut places)
+    });
+    if keys.is_reading()
+        && let Err(error) = check(scene)
+    {
+        keys.fault_later(places.fault(scene, error));
+    }
+}
+
+/// The name of an object without one.
+pub(in crate::figure) fn default_name(index: usize) -> String {
+    format!("object {}", index + 1)
+}
+
+fn object(keys: &mut Keys<'_>, o: &mut ObjectSpec) {
+    // Its keys depend on it, so it's read first.
+    if let Some(section) = keys.reading() {
+        o.shape = read_shape(section);
+        o.segments = Shape::usual_segments(o.shape.as_ref());
+    }
+    let read = |s: &mut Section<'_>, name: &mut String| *name = s.text("name").unwrap_or_else(|| std::mem::take(name));
+    keys.key("name", true, &mut o.name, read, |name| quoted(name));
+    let [is_points, is_file] = match o.shape.as_ref().map_or(ShapeData::None, Shape::data) {
+        ShapeData::Points(_) => [true, false],
+        ShapeData::Path(_) => [false, true],
+        ShapeData::None => [false, false],
+    };
+    keys.key(
+        "shape",
+        o.shape.is_some(),
+        &mut o.shape,
+        |_, _| {},
+        |shape| shape.as_ref().map_or("", Shape::name).into(),
+    );
+    keys.key(
+        "points",
+        is_points,
+        &mut o.shape,
+        |_, _| {},
+        |shape| match shape.as_ref().map(Shape::data) {
+            Some(ShapeData::Points(points)) => vectors(points),
+            _ => vectors(&[]),
+        },
+    );
+    keys.key(
+        "path",
+        is_file,
+        &mut o.shape,
+        |_, _| {},
+        |shape| quoted(shape.as_ref().and_then(Shape::mesh_file).unwrap_or_default()),
+    );
+    keys.text("parent", &mut o.parent);
+    keys.placed("translate", &mut o.translate, DVec3::ZERO, |s, v| s.vector("translate", v));
+    keys.placed("rotate", &mut o.rotate, DVec3::ZERO, |s, v| s.angles("rotate", v));
+    keys.placed("scale", &mut o.scale, DVec3::ONE, read_scale);
+    keys.color("color", &mut o.color);
+    let usual = Shape::usual_segments(o.shape.as_ref());
+    keys.integer("segments", [MIN_SEGMENTS, MAX_SEGMENTS].map(i64::from), o.segments != usual, &mut o.segments);
+    let texture = |s: &mut Section<'_>| s.text("texture").map(|text| TextureSource::of(&text));
+    keys.option("texture", &mut o.texture, texture, |texture| quoted(&texture.to_string()));
+    keys.choice("wrap", Wrap::NAMED, &mut o.wrap);
+    keys.choice("filter", Filter::NAMED, &mut o.filter);
+    let written = o.texture_scale != DVec2::ONE;
+    keys.key("texture_scale", written, &mut o.texture_scale, read_texture_scale, |scale| pair(*scale));
+}
+
+fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
+    Some(match section.choice("shape", SHAPES)? {
+        Shape::Points(_) => Shape::Points(section.points("points", Allowed::Points)?),
+        Shape::Segments(_) => {
+            let points = section.points("points", Allowed::PointPairs)?;
+            Shape::Segments(points.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect())
+        }
+        Shape::Mesh { .. } => {
+            section.require("path", Allowed::Text);
+            Shape::Mesh { path: section.text("path")? }
+        }
+        other => other,
+    })
+}
+
+fn read_scale(section: &mut Section<'_>, usual: DVec3) -> DVec3 {
+    let scale = section.vector("scale", usual);
+    if scale.cmpeq(DVec3::ZERO).any() {
+        section.refuse("scale", Allowed::NonZeroScale);
+    }
+    scale
+}
+
+fn read_texture_scale(section: &mut Section<'_>, scale: &mut DVec2) {
+    let Some(found) = section.pair("texture_scale") else { return };
+    if found.to_array().into_iter().all(|v| v != 0.0 && v.abs() <= MAX_TEXTURE_SCALE) {
+        *scale = found;
+    } else {
+        section.refuse("texture_scale", Allowed::TextureScale);
+    }
+}
+
+/// False for a light without a kind.
+fn light(keys: &mut Keys<'_>, light: &mut Light, places: &mut Places) -> bool {
+    let mut kind = Some(light.kind);
+    keys.require("kind", Allowed::word_of(LIGHTS));
+    keys.choice("kind", LIGHTS, &mut kind);
+    let Some(kind) = kind.filter(|_| keys.is_reading() || keys.is_writing()) else {
+        shadows(keys, &mut light.shadows);
+        // The keys of this kind aren't known, because the kind is the fault to report.
+        LIGHTS.iter().for_each(|(_, kind)| keys.vector(kind.vector().0, &mut light.vector));
+        return false;
+    };
+    let (key, usual) = kind.vector();
+    if keys.is_reading() {
+        (light.kind, light.vector) = (kind, usual);
+    }
+    keys.vector(key, &mut light.vector);
+    if let Some(section) = keys.reading() {
+        if kind == LightKind::Directional && light.vector == DVec3::ZERO {
+            section.refuse(key, Allowed::NonZeroVector);
+        }
+        places.lights.push(section.place(key).unwrap_or(section.at));
+    }
+    shadows(keys, &mut light.shadows);
+    true
+}
+
+fn shadows(keys: &mut Keys<'_>, shadows: &mut Shadows) {
+    let (Shadows { cast, map, bias, softness }, usual) = (shadows, Shadows::NONE);
+    keys.switch("shadows", cast, false);
+    keys.integer("shadow_map", Shadows::MAPS.map(i64::from), *map != usual.map, map);
+    keys.number_in("shadow_bias", Shadows::BIASES, *bias != usual.bias, bias);
+    keys.number_in("shadow_softness", Shadows::SOFTNESSES, *softness != usual.softness, softness);
+}
+
+/// The positions of objects and lights in the text.
+#[derive(Default)]
+struct Places {
+    /// The start of each object, and the places of its keys.
+    objects: Vec<(usize, Vec<(&'static str, usize)>)>,
+    lights: Vec<usize>,
+}
+
+/// The start of an object, and the places of the keys that a rule for scenes concerns.
+fn places_of(object: &Section<'_>) -> (usize, Vec<(&'static str, usize)>) {
+    const KEYS: [&str; 6] = ["name", "parent", "translate", "rotate", "scale", "segments"];
+    (object.at, KEYS.iter().filter_map(|key| Some((*key, object.place(key)?))).collect())
+}
+
+impl Places {
+    /// The violation of a rule for scenes, at its place in the text.
+    fn fault(&self, spec: &SceneSpec, error: SceneError) -> Fault {
+        let key = error.key();
+        let named = |name: &str| {
+            let name = name.to_owned();
+            spec.objects.iter().enumerate().filter(move |(_, object)| object.name == name).map(|(i, _)| i)
+        };
+        let index = match &error {
+            // The second one is too many.
+            SceneError::DuplicateName { name } => named(name).nth(1),
+            _ => error.object().and_then(|name| named(name).next()),
+        };
+        let (at, label) = match (index.and_then(|i| self.objects.get(i)), &error) {
+            (Some((start, keys)), _) => {
+                let at = keys.iter().find(|(known, _)| *known == key).map_or(*start, |(_, at)| *at);
+                (at, "[[scene.objects]]")
+            }
+            (None, SceneError::Light { index, .. }) => {
+                (self.lights.get(*index).copied().unwrap_or_default(), "[[scene.lights]]")
+            }
+            (None, _) => (0, "[scene]"),
+        };
+        let near = near_parent(spec, &error);
+        Fault { at, key: format!("{label} {key}"), problem: Problem::Scene { error: Box::new(error), near } }
+    }
+}
+
+/// The object that the author probably meant as a parent.
+fn near_parent(spec: &SceneSpec, error: &SceneError) -> Option<String> {
+    let SceneError::UnknownParent { name, parent } = error else { return None };
+    let of_preset = preset_objects(spec.preset, &SceneColors::of(Theme::Light));
+    let all = spec.objects.iter().chain(&of_preset).map(|object| object.name.as_str());
+    near::by_letters(parent, all.filter(|other| other != name))
+}
