@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use serde_json::Value;
-
-use super::Report;
+use super::{
+    BasisReport, CameraReport, LensReport, PlanesReport, PointReport, RayReport, Report, SidesReport, WindowReport,
+};
 use crate::camera::ParameterKey;
 
 /// Numbers of a [`Report`] that belong together. Points and rays are counted from 0, in the order of the request.
@@ -36,8 +36,10 @@ pub enum Quantity {
     Ray(usize, RayNumber),
 }
 
-macro_rules! named {
-    ($(#[$doc:meta])* $name:ident { $($(#[$of:meta])* $variant:ident = $word:literal),* $(,)? }) => {
+/// Numbers of one part of a report: each with its key in the JSON of `inspect`, and its numbers row by row. `None` if the
+/// report has none.
+macro_rules! numbers {
+    ($(#[$doc:meta])* $name:ident of $report:ident { $($(#[$of:meta])* $variant:ident = $word:literal => $numbers:expr),* $(,)? }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum $name { $($(#[$of])* $variant),* }
@@ -54,133 +56,138 @@ macro_rules! named {
             fn of_name(name: &str) -> Option<Self> {
                 Self::ALL.iter().copied().find(|one| one.name() == name)
             }
+
+            fn numbers(self, of: &$report) -> Option<Vec<f64>> {
+                let numbers: fn(&$report) -> Option<Vec<f64>> = match self { $(Self::$variant => $numbers),* };
+                numbers(of)
+            }
         }
     };
 }
 
-named! {
+numbers! {
     /// A side of the view window.
-    Side {
+    Side of SidesReport {
         /// l
-        Left = "left",
+        Left = "left" => |window| Some(vec![window.left]),
         /// r
-        Right = "right",
+        Right = "right" => |window| Some(vec![window.right]),
         /// b
-        Bottom = "bottom",
+        Bottom = "bottom" => |window| Some(vec![window.bottom]),
         /// t
-        Top = "top",
+        Top = "top" => |window| Some(vec![window.top]),
     }
 }
 
-named! {
+numbers! {
     /// A plane of the view volume, in the order of `Camera::volume_planes`.
-    VolumePlane {
+    VolumePlane of PlanesReport {
         /// Through C and l.
-        Left = "left",
+        Left = "left" => |planes| Some(planes.left.to_vec()),
         /// Through C and r.
-        Right = "right",
+        Right = "right" => |planes| Some(planes.right.to_vec()),
         /// Through C and b.
-        Bottom = "bottom",
+        Bottom = "bottom" => |planes| Some(planes.bottom.to_vec()),
         /// Through C and t.
-        Top = "top",
+        Top = "top" => |planes| Some(planes.top.to_vec()),
         /// At F.
-        Near = "near",
+        Near = "near" => |planes| Some(planes.near.to_vec()),
         /// At B.
-        Far = "far",
+        Far = "far" => |planes| Some(planes.far.to_vec()),
     }
 }
 
-named! {
+numbers! {
     /// An axis of the VRC.
-    BasisAxis {
+    BasisAxis of BasisReport {
         /// **u**
-        U = "u",
+        U = "u" => |basis| Some(basis.u.to_vec()),
         /// **v**
-        V = "v",
+        V = "v" => |basis| Some(basis.v.to_vec()),
         /// **n**
-        N = "n",
+        N = "n" => |basis| Some(basis.n.to_vec()),
     }
 }
 
-named! {
+numbers! {
     /// A number of the view window.
-    WindowNumber {
+    WindowNumber of WindowReport {
         /// l
-        Left = "left",
+        Left = "left" => |window| Some(vec![window.left]),
         /// r
-        Right = "right",
+        Right = "right" => |window| Some(vec![window.right]),
         /// b
-        Bottom = "bottom",
+        Bottom = "bottom" => |window| Some(vec![window.bottom]),
         /// t
-        Top = "top",
+        Top = "top" => |window| Some(vec![window.top]),
         /// W
-        Width = "width",
+        Width = "width" => |window| Some(vec![window.width]),
         /// H
-        Height = "height",
+        Height = "height" => |window| Some(vec![window.height]),
         /// W / H
-        Aspect = "aspect",
+        Aspect = "aspect" => |window| Some(vec![window.aspect]),
     }
 }
 
-named! {
+numbers! {
     /// A number of the lens.
-    LensNumber {
+    LensNumber of LensReport {
         /// From left to right.
-        HorizontalAngle = "horizontal_angle",
+        HorizontalAngle = "horizontal_angle" => |lens| Some(vec![lens.horizontal_angle]),
         /// From corner to corner.
-        DiagonalAngle = "diagonal_angle",
+        DiagonalAngle = "diagonal_angle" => |lens| Some(vec![lens.diagonal_angle]),
         /// `f_x` and `f_y`.
-        FocalLengthPixels = "focal_length_pixels",
+        FocalLengthPixels = "focal_length_pixels" => |lens| Some(lens.focal_length_pixels.to_vec()),
     }
 }
 
-named! {
+numbers! {
     /// A matrix of a report, or an inverse.
-    ReportMatrix {
+    ReportMatrix of Report {
         /// M_v
-        View = "view_matrix",
+        View = "view_matrix" => |report| Some(report.view_matrix.concat()),
         /// M_p
-        Projection = "projection_matrix",
+        Projection = "projection_matrix" => |report| Some(report.projection_matrix.concat()),
         /// M_p M_v
-        ViewProjection = "view_projection_matrix",
+        ViewProjection = "view_projection_matrix" => |report| Some(report.view_projection_matrix.concat()),
         /// The inverse of M_v.
-        InverseView = "inverse_view_matrix",
+        InverseView = "inverse_view_matrix" => |report| Some(report.inverse_view_matrix.concat()),
         /// The inverse of M_p.
-        InverseProjection = "inverse_projection_matrix",
+        InverseProjection = "inverse_projection_matrix" => |report| Some(report.inverse_projection_matrix.concat()),
     }
 }
 
-named! {
+numbers! {
     /// A point in one of its spaces.
-    PointNumber {
+    PointNumber of PointReport {
         /// World.
-        World = "world",
+        World = "world" => |point| Some(point.world.to_vec()),
         /// View space.
-        View = "view",
+        View = "view" => |point| Some(point.view.to_vec()),
         /// Clip coordinates.
-        Clip = "clip",
+        Clip = "clip" => |point| Some(point.clip.to_vec()),
         /// NDC.
-        Ndc = "ndc",
+        Ndc = "ndc" => |point| Some(point.ndc?.to_vec()),
         /// (x_p, y_p) on the view window.
-        Window = "window",
+        Window = "window" => |point| Some(point.window?.to_vec()),
         /// The pixel (i, j).
-        Pixel = "pixel",
+        Pixel = "pixel" => |point| Some(point.pixel?.map(|whole| whole.0).to_vec()),
         /// (X, Y, Z) of the viewport.
-        Viewport = "viewport",
+        Viewport = "viewport" => |point| point.viewport.map(|(x, y, z)| vec![x.0, y.0, z]),
         /// 1 inside the view volume, 0 outside.
-        Inside = "inside",
+        Inside = "inside" => |point| Some(vec![f64::from(u8::from(point.inside?))]),
     }
 }
 
-named! {
+numbers! {
     /// The ray through a pixel.
-    RayNumber {
+    RayNumber of RayReport {
         /// The pixel (i, j).
-        Pixel = "pixel",
+        Pixel = "pixel" => |ray| Some(ray.pixel.map(|whole| whole as f64).to_vec()),
         /// O_R
-        Origin = "origin",
+        Origin = "origin" => |ray| Some(ray.origin.to_vec()),
         /// A unit vector.
-        Direction = "direction",
+        Direction = "direction" => |ray| Some(ray.direction.to_vec()),
     }
 }
 
@@ -200,10 +207,22 @@ fn column(values: impl IntoIterator<Item = f64>) -> Numbers {
 impl Quantity {
     /// Its numbers in a report; `None` if the report has none. A point behind the eye has no NDC.
     pub fn of(self, report: &Report) -> Option<Numbers> {
-        let json = serde_json::to_value(report).ok()?;
-        let found = json.pointer(&format!("/{}", self.to_string().replace('.', "/")))?;
+        let entries = match self {
+            Self::Camera(key) => of_camera(&report.camera, key),
+            Self::CameraSide(side) => side.numbers(report.camera.window.as_ref()?),
+            Self::Direction => Some(report.dop.to_vec()),
+            Self::Distance => Some(vec![report.distance]),
+            Self::Axis(axis) => axis.numbers(&report.basis),
+            Self::Window(number) => number.numbers(&report.window),
+            Self::Lens(number) => number.numbers(report.lens.as_ref()?),
+            Self::Matrix(matrix) => matrix.numbers(report),
+            Self::Corner(index) => Some(report.volume_corners.get(index)?.to_vec()),
+            Self::Plane(plane) => plane.numbers(&report.planes),
+            Self::Point(index, number) => number.numbers(report.points.get(index)?),
+            Self::Ray(index, number) => number.numbers(report.rays.get(index)?),
+        };
         let columns = if matches!(self, Self::Matrix(_)) { 4 } else { 1 };
-        Some(Numbers { columns, entries: numbers(found)? })
+        Some(Numbers { columns, entries: entries? })
     }
 
     /// The quantity of a path. The rest of the path leads to entries of it.
@@ -230,13 +249,19 @@ impl Quantity {
     }
 }
 
-/// The numbers of a JSON value, row by row. 1 stands for true.
-fn numbers(value: &Value) -> Option<Vec<f64>> {
-    match value {
-        Value::Array(rows) => rows.iter().map(numbers).collect::<Option<Vec<_>>>().map(|rows| rows.concat()),
-        Value::Bool(is) => Some(vec![f64::from(u8::from(*is))]),
-        single => single.as_f64().map(|number| vec![number]),
-    }
+/// The numbers of a parameter of the camera.
+fn of_camera(camera: &CameraReport, key: ParameterKey) -> Option<Vec<f64>> {
+    Some(match key {
+        ParameterKey::Position => camera.position.to_vec(),
+        ParameterKey::FocalPoint => camera.focal_point.to_vec(),
+        ParameterKey::ViewUp => camera.view_up.to_vec(),
+        ParameterKey::ViewAngle => vec![camera.view_angle],
+        ParameterKey::Height => vec![camera.height],
+        ParameterKey::Aspect => vec![camera.aspect],
+        ParameterKey::Near => vec![camera.near],
+        ParameterKey::Far => vec![camera.far],
+        ParameterKey::Window => return None,
+    })
 }
 
 /// The path in the JSON of `inspect`.
@@ -315,6 +340,8 @@ impl fmt::Display for QuantityPath {
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use serde_json::Value;
 
     use super::*;
     use crate::camera::{Convention, ViewWindow};

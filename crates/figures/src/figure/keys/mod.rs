@@ -445,3 +445,6 @@ fn inline(table: Table) -> Item {
     let values = table.into_iter().filter_map(|(key, item)| Some((key, item.into_value().ok()?)));
     Item::Value(values.collect::<InlineTable>().into())
 }
+
+#[cfg(test)]
+mod tests;
