@@ -4,9 +4,11 @@ use toml_edit::TableLike;
 
 use super::{Keys, inline};
 use crate::camera::{Camera, LensForm, Parameters, Sensor, ViewWindow};
-use crate::figure::error::{Allowed, Problem};
+use crate::figure::error::Problem;
+use crate::figure::read::value::{
+    ANGLE, COLOR, HALF_TURN, NUMBER, NUMBER_OR_INFINITY, POSITIVE, POSITIVE_PAIR, VECTOR, line,
+};
 use crate::figure::words::{PROJECTIONS, SENSOR_FITS};
-use crate::figure::write::{number, numbers_of};
 use crate::figure::{CameraTag, Figure, NamedCamera};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
 
@@ -31,8 +33,8 @@ pub(super) fn current(keys: &mut Keys<'_>, figure: &mut Figure) {
         (figure.tag, figure.camera, figure.lens) = Default::default();
     }
     let CameraTag { name, color } = &mut figure.tag;
-    keys.line("name", MAX_CAMERA_NAME, name);
-    keys.color("color", color);
+    keys.option("name", &line(MAX_CAMERA_NAME), name);
+    keys.option("color", &COLOR, color);
     camera(keys, &mut figure.camera, &mut figure.lens);
 }
 
@@ -41,8 +43,8 @@ pub(super) fn cameras(keys: &mut Keys<'_>, label: &str, figure: &mut Figure) {
     let (current, parameters) = (figure.tag.name.clone(), Parameters::default());
     let blank = |_| NamedCamera { name: String::new(), color: None, parameters, lens: None };
     keys.list("cameras", label, MAX_CAMERAS, &mut figure.cameras, blank, |keys, other, before| {
-        keys.needed_line("name", MAX_CAMERA_NAME, &mut other.name);
-        keys.color("color", &mut other.color);
+        keys.needed("name", &line(MAX_CAMERA_NAME), &mut other.name);
+        keys.option("color", &COLOR, &mut other.color);
         let mut names = before.iter().map(|camera| &camera.name).chain(&current);
         if let Some(section) = keys.reading()
             && names.any(|name| *name == other.name)
@@ -63,11 +65,11 @@ pub(super) fn camera(keys: &mut Keys<'_>, p: &mut Parameters, lens: &mut Option<
         Some(LensForm::FocalLength { focal_length, sensor }) => (None, Some((focal_length, sensor))),
         Some(LensForm::DiagonalAngle(_)) | None => (None, None),
     };
-    keys.vector("position", &mut p.position);
-    keys.vector("focal_point", &mut p.focal_point);
-    keys.vector("view_up", &mut p.view_up);
+    keys.key("position", &VECTOR, &mut p.position);
+    keys.key("focal_point", &VECTOR, &mut p.focal_point);
+    keys.key("view_up", &VECTOR, &mut p.view_up);
     keys.word("projection", PROJECTIONS, &mut p.projection);
-    keys.angle("view_angle", across.is_none() && focal.is_none(), &mut p.view_angle);
+    keys.key_if("view_angle", across.is_none() && focal.is_none(), &ANGLE, &mut p.view_angle);
     keys.in_order(&["height", "aspect", "near", "far", "window"]);
     if let Some(section) = keys.reading() {
         let mut given = WAYS_OF_THE_ANGLE.into_iter().filter(|key| section.is_present(key));
@@ -75,12 +77,12 @@ pub(super) fn camera(keys: &mut Keys<'_>, p: &mut Parameters, lens: &mut Option<
             section.fault(second, Problem::Rival { other: first, ways: &WAYS_OF_THE_ANGLE });
         }
     }
-    keys.option("horizontal_angle", &mut across, |s| s.angle_of_half_turn("horizontal_angle"), |x| number(*x));
+    keys.option("horizontal_angle", &HALF_TURN, &mut across);
     focal_length(keys, &mut focal);
-    keys.number("height", &mut p.height);
-    keys.number("aspect", &mut p.aspect);
-    keys.number("near", &mut p.near);
-    keys.key("far", true, &mut p.far, |s, far| *far = s.number_or_infinity("far", *far), |far| number(*far));
+    keys.key("height", &NUMBER, &mut p.height);
+    keys.key("aspect", &NUMBER, &mut p.aspect);
+    keys.key("near", &NUMBER, &mut p.near);
+    keys.key("far", &NUMBER_OR_INFINITY, &mut p.far);
     window(keys, &mut p.window);
     if let Some(section) = keys.reading()
         && section.faults.is_empty()
@@ -102,16 +104,9 @@ pub(super) fn camera(keys: &mut Keys<'_>, p: &mut Parameters, lens: &mut Option<
 fn focal_length(keys: &mut Keys<'_>, focal: &mut Option<(f64, Sensor)>) {
     let (label, usual) = (keys.label_of("lens"), Sensor::default());
     keys.optional("lens", &label, inline, focal, (50.0, usual), |keys, (focal_length, sensor)| {
-        keys.positive("focal_length", focal_length);
-        keys.require("focal_length", Allowed::PositiveNumber);
+        keys.needed("focal_length", &POSITIVE, focal_length);
         let mut sides = [sensor.width, sensor.height];
-        keys.key(
-            "sensor",
-            true,
-            &mut sides,
-            |s, sides| *sides = s.positive_pair("sensor", *sides),
-            |sides| numbers_of(*sides),
-        );
+        keys.key("sensor", &POSITIVE_PAIR, &mut sides);
         [sensor.width, sensor.height] = sides;
         keys.word("fit", SENSOR_FITS, &mut sensor.fit);
     });
@@ -123,8 +118,7 @@ fn window(keys: &mut Keys<'_>, window: &mut Option<ViewWindow>) {
     keys.optional("window", &label, inline, window, blank, |keys, window| {
         let ViewWindow { left, right, bottom, top } = window;
         for (key, side) in [("left", left), ("right", right), ("bottom", bottom), ("top", top)] {
-            keys.number(key, side);
-            keys.require(key, Allowed::Number);
+            keys.needed(key, &NUMBER, side);
         }
     });
 }

@@ -6,6 +6,7 @@ use super::sections::UNIT;
 use super::{Keys, keys_of};
 use crate::figure::edit::NOTHING;
 use crate::figure::error::{Allowed, FigureError, Problem};
+use crate::figure::read::value::{TEXT, number_in};
 use crate::figure::read::{Fault, Section, parse};
 use crate::figure::write::quoted;
 use crate::figure::{Comparison, NamedCamera, near};
@@ -29,7 +30,7 @@ pub(super) fn compare(keys: &mut Keys<'_>, label: &str, value: &mut Option<Compa
 fn comparison_keys(keys: &mut Keys<'_>, comparison: &mut Comparison) {
     let Comparison { with, ops, camera, wiper, beside, differences } = comparison;
     keys.in_order(&["with", "ops", "camera", "wiper"]);
-    keys.key(
+    keys.field(
         "with",
         !with.is_empty(),
         with,
@@ -43,11 +44,11 @@ fn comparison_keys(keys: &mut Keys<'_>, comparison: &mut Comparison) {
     let read = |s: &mut Section<'_>, ops: &mut Vec<_>| {
         *ops = s.list("ops", Allowed::Operations, |text| text.parse().ok());
     };
-    keys.key("ops", !ops.is_empty(), ops, read, |ops| ops.iter().map(ToString::to_string).collect::<Array>().into());
-    keys.text("camera", camera);
+    keys.field("ops", !ops.is_empty(), ops, read, |ops| ops.iter().map(ToString::to_string).collect::<Array>().into());
+    keys.option("camera", &TEXT, camera);
     keys.rare_word("layout", &[("wiper", false), ("beside", true)], beside);
-    keys.number_in("wiper", UNIT, !*beside || *wiper != Comparison::default().wiper, wiper);
-    keys.switch("differences", differences, false);
+    keys.key_if("wiper", !*beside || *wiper != Comparison::default().wiper, &number_in(UNIT), wiper);
+    keys.switch("differences", differences);
 }
 
 fn count(comparison: &Comparison) -> usize {

@@ -9,6 +9,7 @@ use crate::appearance::Rgba;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::labels::{LabelTextError, set_text};
 use crate::figure::read::Section;
+use crate::figure::read::value::{COLOR, TEXT, VECTOR, integer_in, line, number_in};
 use crate::figure::words::{DIMENSIONS, LETTERS, MEASURE_TEXTS, PICTURES};
 use crate::figure::write::{pair, quoted, vector};
 use crate::figure::{
@@ -20,7 +21,7 @@ const MOVES: [f64; 2] = [-MAX_LABEL_MOVE, MAX_LABEL_MOVE];
 
 pub(super) fn labels(keys: &mut Keys<'_>, labels: &mut Labels) {
     keys.rare_word("letters", LETTERS, &mut labels.letters);
-    keys.key(
+    keys.field(
         "hidden",
         !labels.hidden.is_empty(),
         &mut labels.hidden,
@@ -85,12 +86,12 @@ fn each<'a, V>(
 }
 
 fn name(keys: &mut Keys<'_>, name: &mut String) {
-    keys.needed_line("name", MAX_LABEL_TEXT, name);
+    keys.needed("name", &line(MAX_LABEL_TEXT), name);
 }
 
 /// The text of a label, whose formulas fit on its line.
 fn text(keys: &mut Keys<'_>, text: &mut String) {
-    keys.needed_line("text", MAX_LABEL_TEXT, text);
+    keys.needed("text", &line(MAX_LABEL_TEXT), text);
     if let Some(section) = keys.reading()
         && !text.is_empty()
         && let Err(LabelTextError::Formula(error)) = set_text(text)
@@ -100,13 +101,13 @@ fn text(keys: &mut Keys<'_>, text: &mut String) {
 }
 
 fn style(keys: &mut Keys<'_>, size: &mut Option<f64>, color: &mut Option<Rgba>) {
-    keys.optional_in("size", [*LABEL_SIZE.start(), *LABEL_SIZE.end()], size);
-    keys.color("color", color);
+    keys.option("size", &number_in([*LABEL_SIZE.start(), *LABEL_SIZE.end()]), size);
+    keys.option("color", &COLOR, color);
 }
 
 fn note(keys: &mut Keys<'_>, note: &mut Note) {
     keys.choice("view", PICTURES, &mut note.view);
-    keys.key("at", true, &mut note.at, |s, at| *at = read_place(s).unwrap_or_else(|| at.clone()), place);
+    keys.field("at", true, &mut note.at, |s, at| *at = read_place(s).unwrap_or_else(|| at.clone()), place);
     if matches!(note.at, NotePlace::Picture(_)) {
         keys.require("view", Allowed::word_of(PICTURES));
     }
@@ -130,8 +131,8 @@ fn place(at: &NotePlace) -> Value {
 
 fn read_place(section: &mut Section<'_>) -> Option<NotePlace> {
     match section.list_length("at") {
-        Some(3) => return Some(NotePlace::World(section.vector("at", DVec3::ZERO))),
-        Some(_) => return section.pair_in("at", UNIT[0], UNIT[1]).map(NotePlace::Picture),
+        Some(3) => return Some(NotePlace::World(section.get("at", &VECTOR)?)),
+        Some(_) => return section.pair_in("at", UNIT).map(NotePlace::Picture),
         None if !section.is_present("at") => {
             section.skip("at");
             section.missing("at", Allowed::NotePlace);
@@ -141,15 +142,15 @@ fn read_place(section: &mut Section<'_>) -> Option<NotePlace> {
     }
     let mut inner = section.section("at", "[[labels.notes]] at.").there()?;
     inner.require("object", Allowed::Text);
-    let object = inner.text("object");
+    let (object, index) = (inner.get("object", &TEXT), integer_in([0, i64::from(u32::MAX)]));
     let at = match [inner.is_present("vertex"), inner.is_present("edge")] {
         [true, false] => {
-            let vertex = inner.integer("vertex", 0, i64::from(u32::MAX), 0);
-            object.map(|object| NotePlace::Vertex { object, vertex })
+            let index = inner.get("vertex", &index);
+            object.zip(index).map(|(object, vertex)| NotePlace::Vertex { object, vertex })
         }
         [false, true] => {
-            let edge = inner.integer("edge", 0, i64::from(u32::MAX), 0);
-            object.map(|object| NotePlace::Edge { object, edge })
+            let index = inner.get("edge", &index);
+            object.zip(index).map(|(object, edge)| NotePlace::Edge { object, edge })
         }
         [true, true] => {
             inner.skip("vertex");

@@ -17,10 +17,10 @@ use glam::{DVec2, DVec3};
 use toml_edit::{ArrayOfTables, InlineTable, Item, Table, Value};
 
 use super::error::Allowed;
+use super::read::value::{PAIR, SWITCH, Values};
 use super::read::{Fault, Section, at_most};
 use super::words::{self, Words};
-use super::write::{number, pair, quoted, vector};
-use crate::appearance::Rgba;
+use super::write::quoted;
 pub(super) use camera::{is_way_of_the_angle, remove_rivals};
 pub(super) use comparison::checked;
 pub(super) use scene::default_name;
@@ -159,8 +159,8 @@ impl<'a> Keys<'a> {
         takes
     }
 
-    /// A key. `written` is false if it needn't be written, because it has its usual value.
-    fn key<V>(
+    /// A field with its own way to be read and written. `written` is false if it needn't be written.
+    fn field<V>(
         &mut self,
         key: &'static str,
         written: bool,
@@ -179,26 +179,88 @@ impl<'a> Keys<'a> {
         }
     }
 
-    /// A key that may be missing.
-    fn option<V>(
+    /// A field that may have no value.
+    fn optional_field<V>(
         &mut self,
         key: &'static str,
         value: &mut Option<V>,
         read: impl FnOnce(&mut Section<'a>) -> Option<V>,
         write: impl FnOnce(&V) -> Value,
     ) {
-        if !self.takes(key) {
-            return;
+        if !self.is_writing() || value.is_some() {
+            self.field(key, true, value, |s, v| *v = read(s), |v| v.as_ref().map_or_else(|| quoted(""), write));
         }
-        match &mut self.pass {
-            Pass::Read { section, .. } => *value = read(section),
-            Pass::Write(table) => {
-                if let Some(value) = value {
-                    table.insert(key, Item::Value(write(value)));
-                }
+    }
+
+    /// A key that's always written.
+    fn key<V>(&mut self, key: &'static str, values: &Values<V>, value: &mut V) {
+        self.key_if(key, true, values, value);
+    }
+
+    /// A key that isn't written if it has its usual value.
+    fn rare<V: PartialEq>(&mut self, key: &'static str, usual: &V, values: &Values<V>, value: &mut V) {
+        self.key_if(key, value != usual, values, value);
+    }
+
+    /// A key that's written on a condition.
+    fn key_if<V>(&mut self, key: &'static str, written: bool, values: &Values<V>, value: &mut V) {
+        let read = |s: &mut Section<'a>, v: &mut V| {
+            if let Some(found) = s.get(key, values) {
+                *v = found;
             }
-            Pass::List(paths) => paths.push(key.to_owned()),
+        };
+        self.field(key, written, value, read, values.write);
+    }
+
+    /// A key that the section must have.
+    fn needed<V>(&mut self, key: &'static str, values: &Values<V>, value: &mut V) {
+        self.require(key, values.allowed.clone());
+        self.key(key, values, value);
+    }
+
+    /// A key that may be missing.
+    fn option<V>(&mut self, key: &'static str, values: &Values<V>, value: &mut Option<V>) {
+        self.optional_field(key, value, |s| s.get(key, values), values.write);
+    }
+
+    /// Three numbers, which aren't written if they're the usual ones.
+    fn placed(&mut self, key: &'static str, usual: DVec3, values: &Values<DVec3>, value: &mut DVec3) {
+        // −0 isn't 0, so they're compared bit by bit.
+        let written = value.to_array().map(f64::to_bits) != usual.to_array().map(f64::to_bits);
+        self.key_if(key, written, values, value);
+    }
+
+    /// `true` or `false`.
+    fn switch(&mut self, key: &'static str, value: &mut bool) {
+        self.rare(key, &false, &SWITCH, value);
+    }
+
+    /// Two numbers in a range, or nothing.
+    fn pair_in(&mut self, key: &'static str, range: [f64; 2], value: &mut Option<DVec2>) {
+        self.optional_field(key, value, |s| s.pair_in(key, range), PAIR.write);
+    }
+
+    /// One of `words`.
+    fn word<V: Copy + PartialEq>(&mut self, key: &'static str, words: Words<V>, value: &mut V) {
+        self.word_if(key, true, words, value);
+    }
+
+    /// One of `words`, which isn't written if it's the default.
+    fn rare_word<V: Copy + PartialEq + Default>(&mut self, key: &'static str, words: Words<V>, value: &mut V) {
+        let written = *value != V::default();
+        // Only the lack of the key gives some defaults.
+        if written || !self.is_writing() || !words::name(words, *value).is_empty() {
+            self.word_if(key, written, words, value);
         }
+    }
+
+    fn word_if<V: Copy + PartialEq>(&mut self, key: &'static str, written: bool, words: Words<V>, value: &mut V) {
+        self.field(key, written, value, |s, v| *v = s.word(key, words, *v), |v| words::name(words, *v).into());
+    }
+
+    /// One of `words`, or nothing.
+    fn choice<V: Copy + PartialEq>(&mut self, key: &'static str, words: Words<V>, value: &mut Option<V>) {
+        self.optional_field(key, value, |s| s.choice(key, words), |v| words::name(words, *v).into());
     }
 
     /// A section in this one, which isn't written without keys. `label` precedes its keys in messages.
@@ -319,115 +381,6 @@ impl<'a> Keys<'a> {
         if let Some(section) = self.reading() {
             section.require(key, allowed);
         }
-    }
-
-    /// `true` or `false`.
-    fn switch(&mut self, key: &'static str, value: &mut bool, usual: bool) {
-        self.key(key, *value != usual, value, |s, on| *on = s.switch_else(key, usual), |on| (*on).into());
-    }
-
-    /// One of `words`.
-    fn word<V: Copy + PartialEq>(&mut self, key: &'static str, words: Words<V>, value: &mut V) {
-        self.key(key, true, value, |s, v| *v = s.word(key, words, *v), |v| words::name(words, *v).into());
-    }
-
-    /// One of `words`, which isn't written if it's the default.
-    fn rare_word<V: Copy + PartialEq + Default>(&mut self, key: &'static str, words: Words<V>, value: &mut V) {
-        let written = *value != V::default();
-        // Only the lack of the key gives some defaults.
-        if !written && self.is_writing() && words::name(words, *value).is_empty() {
-            return;
-        }
-        self.key(key, written, value, |s, v| *v = s.word(key, words, *v), |v| words::name(words, *v).into());
-    }
-
-    /// One of `words`, or nothing.
-    fn choice<V: Copy + PartialEq>(&mut self, key: &'static str, words: Words<V>, value: &mut Option<V>) {
-        self.option(key, value, |s| s.choice(key, words), |v| words::name(words, *v).into());
-    }
-
-    /// A finite number.
-    fn number(&mut self, key: &'static str, value: &mut f64) {
-        self.key(key, true, value, |s, x| *x = s.number(key, *x), |x| number(*x));
-    }
-
-    /// Degrees.
-    fn angle(&mut self, key: &'static str, written: bool, value: &mut f64) {
-        self.key(key, written, value, |s, x| *x = s.angle(key, *x), |x| number(*x));
-    }
-
-    /// A number in a range.
-    fn number_in(&mut self, key: &'static str, [least, most]: [f64; 2], written: bool, value: &mut f64) {
-        self.key(key, written, value, |s, x| *x = s.number_in(key, least, most, *x), |x| number(*x));
-    }
-
-    /// A number in a range, or nothing.
-    fn optional_in(&mut self, key: &'static str, [least, most]: [f64; 2], value: &mut Option<f64>) {
-        self.option(key, value, |s| s.optional_in(key, least, most, least), |x| number(*x));
-    }
-
-    /// A number greater than 0.
-    fn positive(&mut self, key: &'static str, value: &mut f64) {
-        self.key(key, true, value, |s, x| *x = s.positive(key, *x), |x| number(*x));
-    }
-
-    /// A whole number in a range, whose ends fit the type.
-    fn integer<V>(&mut self, key: &'static str, [least, most]: [i64; 2], written: bool, value: &mut V)
-    where
-        V: Copy + TryFrom<i64> + Into<i64>,
-    {
-        let write = |i: &V| Into::<i64>::into(*i).into();
-        self.key(key, written, value, |s, i| *i = s.integer(key, least, most, *i), write);
-    }
-
-    /// Three finite numbers.
-    fn vector(&mut self, key: &'static str, value: &mut DVec3) {
-        self.key(key, true, value, |s, v| *v = s.vector(key, *v), |v| vector(*v));
-    }
-
-    /// Three finite numbers, which aren't written if they're the usual ones.
-    fn placed(
-        &mut self,
-        key: &'static str,
-        value: &mut DVec3,
-        usual: DVec3,
-        read: impl FnOnce(&mut Section<'a>, DVec3) -> DVec3,
-    ) {
-        // −0 isn't 0, so they're compared bit by bit.
-        let written = value.to_array().map(f64::to_bits) != usual.to_array().map(f64::to_bits);
-        self.key(key, written, value, |s, v| *v = read(s, *v), |v| vector(*v));
-    }
-
-    /// Two numbers in a range, or nothing.
-    fn pair_in(&mut self, key: &'static str, [least, most]: [f64; 2], value: &mut Option<DVec2>) {
-        self.option(key, value, |s| s.pair_in(key, least, most), |p| pair(*p));
-    }
-
-    /// A colour, or nothing.
-    fn color(&mut self, key: &'static str, value: &mut Option<Rgba>) {
-        self.option(key, value, |s| s.color(key), |color| color.to_string().into());
-    }
-
-    /// A text, or nothing.
-    fn text(&mut self, key: &'static str, value: &mut Option<String>) {
-        self.option(key, value, |s| s.text(key), |text| quoted(text));
-    }
-
-    /// A required text.
-    fn needed_text(&mut self, key: &'static str, value: &mut String) {
-        self.require(key, Allowed::Text);
-        self.key(key, true, value, |s, text| *text = s.text(key).unwrap_or_default(), |text| quoted(text));
-    }
-
-    /// A text of one line, or nothing.
-    fn line(&mut self, key: &'static str, limit: usize, value: &mut Option<String>) {
-        self.option(key, value, |s| s.line(key, limit), |text| quoted(text));
-    }
-
-    /// A required line.
-    fn needed_line(&mut self, key: &'static str, limit: usize, value: &mut String) {
-        self.require(key, Allowed::Line { limit });
-        self.key(key, true, value, |s, text| *text = s.line(key, limit).unwrap_or_default(), |text| quoted(text));
     }
 }
 

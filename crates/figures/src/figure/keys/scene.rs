@@ -6,9 +6,10 @@ use super::Keys;
 use crate::appearance::{Filter, Theme, Wrap};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
+use crate::figure::read::value::{ANGLES, COLOR, PAIR, TEXT, VECTOR, integer_in, number_in};
 use crate::figure::read::{Fault, Section};
 use crate::figure::words::{LIGHTS, PRESETS, SHAPES};
-use crate::figure::write::{pair, quoted, vectors};
+use crate::figure::write::{quoted, vectors};
 use crate::limits::{MAX_SEGMENTS, MAX_TEXTURE_SCALE, MIN_SEGMENTS};
 use crate::scene::palette::SceneColors;
 use crate::scene::{
@@ -56,21 +57,20 @@ fn object(keys: &mut Keys<'_>, o: &mut ObjectSpec) {
         o.shape = read_shape(section);
         o.segments = Shape::usual_segments(o.shape.as_ref());
     }
-    let read = |s: &mut Section<'_>, name: &mut String| *name = s.text("name").unwrap_or_else(|| std::mem::take(name));
-    keys.key("name", true, &mut o.name, read, |name| quoted(name));
+    keys.key("name", &TEXT, &mut o.name);
     let [is_points, is_file] = match o.shape.as_ref().map_or(ShapeData::None, Shape::data) {
         ShapeData::Points(_) => [true, false],
         ShapeData::Path(_) => [false, true],
         ShapeData::None => [false, false],
     };
-    keys.key(
+    keys.field(
         "shape",
         o.shape.is_some(),
         &mut o.shape,
         |_, _| {},
         |shape| shape.as_ref().map_or("", Shape::name).into(),
     );
-    keys.key(
+    keys.field(
         "points",
         is_points,
         &mut o.shape,
@@ -80,26 +80,35 @@ fn object(keys: &mut Keys<'_>, o: &mut ObjectSpec) {
             _ => vectors(&[]),
         },
     );
-    keys.key(
+    keys.field(
         "path",
         is_file,
         &mut o.shape,
         |_, _| {},
         |shape| quoted(shape.as_ref().and_then(Shape::mesh_file).unwrap_or_default()),
     );
-    keys.text("parent", &mut o.parent);
-    keys.placed("translate", &mut o.translate, DVec3::ZERO, |s, v| s.vector("translate", v));
-    keys.placed("rotate", &mut o.rotate, DVec3::ZERO, |s, v| s.angles("rotate", v));
-    keys.placed("scale", &mut o.scale, DVec3::ONE, read_scale);
-    keys.color("color", &mut o.color);
+    keys.option("parent", &TEXT, &mut o.parent);
+    keys.placed("translate", DVec3::ZERO, &VECTOR, &mut o.translate);
+    keys.placed("rotate", DVec3::ZERO, &ANGLES, &mut o.rotate);
+    keys.placed("scale", DVec3::ONE, &VECTOR, &mut o.scale);
+    if let Some(section) = keys.reading()
+        && o.scale.cmpeq(DVec3::ZERO).any()
+    {
+        section.refuse("scale", Allowed::NonZeroScale);
+    }
+    keys.option("color", &COLOR, &mut o.color);
     let usual = Shape::usual_segments(o.shape.as_ref());
-    keys.integer("segments", [MIN_SEGMENTS, MAX_SEGMENTS].map(i64::from), o.segments != usual, &mut o.segments);
-    let texture = |s: &mut Section<'_>| s.text("texture").map(|text| TextureSource::of(&text));
-    keys.option("texture", &mut o.texture, texture, |texture| quoted(&texture.to_string()));
+    keys.rare("segments", &usual, &integer_in([MIN_SEGMENTS, MAX_SEGMENTS].map(i64::from)), &mut o.segments);
+    let texture = |s: &mut Section<'_>| s.get("texture", &TEXT).map(|text| TextureSource::of(&text));
+    keys.optional_field("texture", &mut o.texture, texture, |texture| quoted(&texture.to_string()));
     keys.choice("wrap", Wrap::NAMED, &mut o.wrap);
     keys.choice("filter", Filter::NAMED, &mut o.filter);
-    let written = o.texture_scale != DVec2::ONE;
-    keys.key("texture_scale", written, &mut o.texture_scale, read_texture_scale, |scale| pair(*scale));
+    keys.rare("texture_scale", &DVec2::ONE, &PAIR, &mut o.texture_scale);
+    if let Some(section) = keys.reading()
+        && !o.texture_scale.to_array().into_iter().all(|v| v != 0.0 && v.abs() <= MAX_TEXTURE_SCALE)
+    {
+        section.refuse("texture_scale", Allowed::TextureScale);
+    }
 }
 
 fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
@@ -111,27 +120,10 @@ fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
         }
         Shape::Mesh { .. } => {
             section.require("path", Allowed::Text);
-            Shape::Mesh { path: section.text("path")? }
+            Shape::Mesh { path: section.get("path", &TEXT)? }
         }
         other => other,
     })
-}
-
-fn read_scale(section: &mut Section<'_>, usual: DVec3) -> DVec3 {
-    let scale = section.vector("scale", usual);
-    if scale.cmpeq(DVec3::ZERO).any() {
-        section.refuse("scale", Allowed::NonZeroScale);
-    }
-    scale
-}
-
-fn read_texture_scale(section: &mut Section<'_>, scale: &mut DVec2) {
-    let Some(found) = section.pair("texture_scale") else { return };
-    if found.to_array().into_iter().all(|v| v != 0.0 && v.abs() <= MAX_TEXTURE_SCALE) {
-        *scale = found;
-    } else {
-        section.refuse("texture_scale", Allowed::TextureScale);
-    }
 }
 
 /// False for a light without a kind.
@@ -142,14 +134,14 @@ fn light(keys: &mut Keys<'_>, light: &mut Light, places: &mut Places) -> bool {
     let Some(kind) = kind.filter(|_| keys.is_reading() || keys.is_writing()) else {
         shadows(keys, &mut light.shadows);
         // The keys of this kind aren't known, because the kind is the fault to report.
-        LIGHTS.iter().for_each(|(_, kind)| keys.vector(kind.vector().0, &mut light.vector));
+        LIGHTS.iter().for_each(|(_, kind)| keys.key(kind.vector().0, &VECTOR, &mut light.vector));
         return false;
     };
     let (key, usual) = kind.vector();
     if keys.is_reading() {
         (light.kind, light.vector) = (kind, usual);
     }
-    keys.vector(key, &mut light.vector);
+    keys.key(key, &VECTOR, &mut light.vector);
     if let Some(section) = keys.reading() {
         if kind == LightKind::Directional && light.vector == DVec3::ZERO {
             section.refuse(key, Allowed::NonZeroVector);
@@ -162,10 +154,10 @@ fn light(keys: &mut Keys<'_>, light: &mut Light, places: &mut Places) -> bool {
 
 fn shadows(keys: &mut Keys<'_>, shadows: &mut Shadows) {
     let (Shadows { cast, map, bias, softness }, usual) = (shadows, Shadows::NONE);
-    keys.switch("shadows", cast, false);
-    keys.integer("shadow_map", Shadows::MAPS.map(i64::from), *map != usual.map, map);
-    keys.number_in("shadow_bias", Shadows::BIASES, *bias != usual.bias, bias);
-    keys.number_in("shadow_softness", Shadows::SOFTNESSES, *softness != usual.softness, softness);
+    keys.switch("shadows", cast);
+    keys.rare("shadow_map", &usual.map, &integer_in(Shadows::MAPS.map(i64::from)), map);
+    keys.rare("shadow_bias", &usual.bias, &number_in(Shadows::BIASES), bias);
+    keys.rare("shadow_softness", &usual.softness, &number_in(Shadows::SOFTNESSES), softness);
 }
 
 /// The positions of objects and lights in the text.

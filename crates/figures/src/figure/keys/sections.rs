@@ -5,15 +5,15 @@ use glam::DVec3;
 use super::{Keys, camera, comparison, inline, labels, scene, show};
 use crate::appearance::Style;
 use crate::camera::{ImageSize, Projection, Viewport};
-use crate::expression::Dimension;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::points::may_be_named;
 use crate::figure::read::Section;
+use crate::figure::read::value::{ANGLE, POSITIVE, SWITCH, TEXT, VECTOR, angle_in, integer_in, integers, number_in};
 use crate::figure::words::{
     self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PICTURES, PROJECTIONS, SCREEN_MATRICES,
     SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
 };
-use crate::figure::write::{number, told};
+use crate::figure::write::told;
 use crate::figure::{
     AXES_LENGTHS, Bilingual, Depth, Figure, NamedPoint, Observer, Photograph, Reveal, Screen, ScreenEntry,
     ScreenMatrix, View, WorldLook, WorldPart,
@@ -33,8 +33,8 @@ pub(in crate::figure) fn figure(keys: &mut Keys<'_>, f: &mut Figure) {
         "" => format!("[{key}]"),
         root => format!("[{root}.{key}]"),
     };
-    keys.option("title", &mut f.title, |s| line(s, "title", MAX_TITLE), told);
-    keys.option("caption", &mut f.caption, |s| line(s, "caption", MAX_CAPTION), told);
+    keys.optional_field("title", &mut f.title, |s| bilingual_line(s, "title", MAX_TITLE), told);
+    keys.optional_field("caption", &mut f.caption, |s| bilingual_line(s, "caption", MAX_CAPTION), told);
     keys.section("camera", &label("camera"), |keys| camera::current(keys, f));
     keys.section("image", &label("image"), |keys| image(keys, f));
     viewport(keys, &label("viewport"), f);
@@ -66,7 +66,7 @@ fn lists(keys: &mut Keys<'_>, label: impl Fn(&str) -> String, f: &mut Figure) {
 }
 
 /// A text of one line for each language.
-fn line(section: &mut Section<'_>, key: &'static str, limit: usize) -> Option<Bilingual> {
+fn bilingual_line(section: &mut Section<'_>, key: &'static str, limit: usize) -> Option<Bilingual> {
     let texts = section.told(key)?;
     let is_short = |text: &String| text.chars().count() <= limit && !text.contains(sanitize::is_obeyed);
     if !texts.iter().all(is_short) {
@@ -82,16 +82,16 @@ fn image(keys: &mut Keys<'_>, f: &mut Figure) {
         (f.image, f.undistorted, f.photograph) = Default::default();
     }
     let ImageSize { width, height } = &mut f.image;
-    keys.integer("width", SIDES, true, width);
-    keys.integer("height", SIDES, true, height);
-    keys.switch("undistorted", &mut f.undistorted, false);
+    keys.key("width", &integer_in(SIDES), width);
+    keys.key("height", &integer_in(SIDES), height);
+    keys.switch("undistorted", &mut f.undistorted);
     let (mut file, mut opacity) = match f.photograph.take() {
         Some(Photograph { file, opacity }) => (Some(file), opacity),
         None => (None, Photograph::USUAL_OPACITY),
     };
-    keys.text("photograph", &mut file);
+    keys.option("photograph", &TEXT, &mut file);
     // Both or none, because the reader refuses an opacity alone.
-    keys.number_in("photograph_opacity", UNIT, file.is_some(), &mut opacity);
+    keys.key_if("photograph_opacity", file.is_some(), &number_in(UNIT), &mut opacity);
     if let Some(section) = keys.reading()
         && section.is_present("photograph_opacity")
     {
@@ -114,21 +114,20 @@ fn viewport(keys: &mut Keys<'_>, label: &str, f: &mut Figure) {
         }
         let whole = Viewport { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 };
         let v = f.viewport.get_or_insert(whole);
-        keys.integer("x", [-MAX_OFFSET, MAX_OFFSET], true, &mut v.x);
-        keys.integer("y", [-MAX_OFFSET, MAX_OFFSET], true, &mut v.y);
-        keys.integer("width", SIDES, true, &mut v.width);
-        keys.integer("height", SIDES, true, &mut v.height);
-        keys.number_in("depth_near", UNIT, true, &mut v.depth_near);
-        keys.number_in("depth_far", UNIT, true, &mut v.depth_far);
+        keys.key("x", &integer_in([-MAX_OFFSET, MAX_OFFSET]), &mut v.x);
+        keys.key("y", &integer_in([-MAX_OFFSET, MAX_OFFSET]), &mut v.y);
+        keys.key("width", &integer_in(SIDES), &mut v.width);
+        keys.key("height", &integer_in(SIDES), &mut v.height);
+        keys.key("depth_near", &number_in(UNIT), &mut v.depth_near);
+        keys.key("depth_far", &number_in(UNIT), &mut v.depth_far);
     });
 }
 
 fn points(keys: &mut Keys<'_>, label: &str, points: &mut Vec<NamedPoint>) {
     let blank = |_| NamedPoint { name: String::new(), position: DVec3::ZERO };
     keys.list("points", label, MAX_NAMED_POINTS, points, blank, |keys, point, before| {
-        keys.needed_text("name", &mut point.name);
-        keys.require("position", Allowed::Vector);
-        keys.vector("position", &mut point.position);
+        keys.needed("name", &TEXT, &mut point.name);
+        keys.needed("position", &VECTOR, &mut point.position);
         if let Some(section) = keys.reading()
             && !point.name.is_empty()
             && !may_be_named(&point.name, before.iter())
@@ -143,8 +142,7 @@ fn style(keys: &mut Keys<'_>, style: &mut Style) {
     keys.word("shading", SHADINGS, &mut style.shading);
     keys.word("visibility", VISIBILITIES, &mut style.visibility);
     keys.word("hidden_lines", HIDDEN_LINES, &mut style.hidden_lines);
-    let read = |s: &mut Section<'_>, samples: &mut u8| *samples = s.integer_of("antialias", &[1, 4, 16], *samples);
-    keys.key("antialias", true, &mut style.antialias, read, |samples| i64::from(*samples).into());
+    keys.key("antialias", &integers(&[1, 4, 16]), &mut style.antialias);
     keys.word("theme", THEMES, &mut style.theme);
     keys.rare_word("depth_format", DEPTH_FORMATS, &mut style.depth_format);
 }
@@ -154,7 +152,7 @@ fn reveal(keys: &mut Keys<'_>, reveal: &mut Reveal) {
     let read = |s: &mut Section<'_>, depth: &mut Depth| {
         *depth = s.switch_or("depth", [Depth::Off, Depth::Stored], DEPTHS);
     };
-    keys.key("depth", reveal.depth != Depth::Off, &mut reveal.depth, read, |depth| match depth {
+    keys.field("depth", reveal.depth != Depth::Off, &mut reveal.depth, read, |depth| match depth {
         Depth::Off => false.into(),
         Depth::Stored => true.into(),
         Depth::Linear => words::name(DEPTHS, *depth).into(),
@@ -162,22 +160,22 @@ fn reveal(keys: &mut Keys<'_>, reveal: &mut Reveal) {
     keys.rare_word("outside", OUTSIDES, &mut reveal.outside);
     keys.choice("texture", TEXTURE_REVEALS, &mut reveal.texture);
     keys.choice("shadows", SHADOW_REVEALS, &mut reveal.shadows);
-    keys.switch("clipping", &mut reveal.clipping, false);
-    keys.switch("divide_first", &mut reveal.divide_first, false);
-    keys.switch("culled", &mut reveal.culled, false);
-    keys.switch("vanishing", &mut reveal.vanishing, false);
-    keys.switch("single_precision", &mut reveal.single_precision, false);
+    keys.switch("clipping", &mut reveal.clipping);
+    keys.switch("divide_first", &mut reveal.divide_first);
+    keys.switch("culled", &mut reveal.culled);
+    keys.switch("vanishing", &mut reveal.vanishing);
+    keys.switch("single_precision", &mut reveal.single_precision);
 }
 
 fn world(keys: &mut Keys<'_>, world: &mut WorldLook) {
     keys.in_order(&["window_opacity", "axes_length"]);
-    keys.switch("section", &mut world.section, false);
-    keys.switch("dimensions", &mut world.dimensions, false);
-    keys.optional_in("window_opacity", UNIT, &mut world.window_opacity);
-    keys.optional_in("axes_length", AXES_LENGTHS, &mut world.axes_length);
+    keys.switch("section", &mut world.section);
+    keys.switch("dimensions", &mut world.dimensions);
+    keys.option("window_opacity", &number_in(UNIT), &mut world.window_opacity);
+    keys.option("axes_length", &number_in(AXES_LENGTHS), &mut world.axes_length);
     for (part, key) in WorldPart::ALL {
         let mut drawn = world.parts.has(part);
-        keys.switch(key, &mut drawn, true);
+        keys.rare(key, &true, &SWITCH, &mut drawn);
         world.parts.set(part, drawn);
     }
 }
@@ -186,14 +184,11 @@ fn observer(keys: &mut Keys<'_>, key: &'static str, label: &str, value: &mut Opt
     let usual =
         Observer { target: DVec3::ZERO, distance: 10.0, azimuth: 30.0, elevation: 20.0, roll: 0.0, parallel: false };
     keys.optional(key, label, toml_edit::Item::Table, value, usual, |keys, o| {
-        keys.vector("target", &mut o.target);
-        keys.positive("distance", &mut o.distance);
-        keys.angle("azimuth", true, &mut o.azimuth);
-        let read = |s: &mut Section<'_>, x: &mut f64| {
-            *x = s.quantity_in("elevation", Dimension::Angle, -90.0, 90.0, *x);
-        };
-        keys.key("elevation", true, &mut o.elevation, read, |x| number(*x));
-        keys.angle("roll", o.roll != 0.0, &mut o.roll);
+        keys.key("target", &VECTOR, &mut o.target);
+        keys.key("distance", &POSITIVE, &mut o.distance);
+        keys.key("azimuth", &ANGLE, &mut o.azimuth);
+        keys.key("elevation", &angle_in([-90.0, 90.0]), &mut o.elevation);
+        keys.rare("roll", &0.0, &ANGLE, &mut o.roll);
         let mut projection = if o.parallel { Projection::Parallel } else { Projection::Perspective };
         keys.word("projection", PROJECTIONS, &mut projection);
         o.parallel = projection == Projection::Parallel;
@@ -202,7 +197,7 @@ fn observer(keys: &mut Keys<'_>, key: &'static str, label: &str, value: &mut Opt
 
 fn screen(keys: &mut Keys<'_>, screen: &mut Screen) {
     keys.in_order(&["pictures", "entry"]);
-    keys.option("pictures", &mut screen.pictures, pictures, |pictures| {
+    keys.optional_field("pictures", &mut screen.pictures, pictures, |pictures| {
         let shown = View::ALL.into_iter().filter(|view| pictures[view.index()]);
         shown.map(View::name).collect::<toml_edit::Array>().into()
     });
@@ -212,10 +207,10 @@ fn screen(keys: &mut Keys<'_>, screen: &mut Screen) {
     keys.optional("entry", "[screen] entry.", inline, &mut screen.entry, blank, |keys, entry| {
         keys.require("matrix", Allowed::word_of(SCREEN_MATRICES));
         keys.word("matrix", SCREEN_MATRICES, &mut entry.matrix);
-        keys.switch("inverse", &mut entry.inverse, false);
+        keys.switch("inverse", &mut entry.inverse);
         let [row, column] = &mut entry.place;
-        keys.integer("row", [1, 4], true, row);
-        keys.integer("column", [1, 4], true, column);
+        keys.key("row", &integer_in([1, 4]), row);
+        keys.key("column", &integer_in([1, 4]), column);
     });
 }
 

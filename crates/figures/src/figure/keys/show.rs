@@ -1,15 +1,16 @@
 //! `[show]`: explanations in the pictures. A faulty key shows nothing.
 
 use glam::{DMat4, DVec3};
-use toml_edit::{Array, Item, Value};
+use toml_edit::{Array, Item};
 
 use super::sections::UNIT;
 use super::{Keys, camera, inline};
 use crate::camera::{Operation, Parameters};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::Section;
+use crate::figure::read::value::{MATRIX, PAIR, PIXEL, PIXEL_OF_IMAGE, TEXT, VECTOR, integer_in, number_in};
 use crate::figure::words::{self, MEASURES, NDCS, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
-use crate::figure::write::{matrix, pair, quoted, vector};
+use crate::figure::write::quoted;
 use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, TransformPreview, TriangleStep};
 use crate::geometry::Ray;
 use crate::limits::MAX_SHOWN_OBJECTS;
@@ -18,20 +19,20 @@ pub(super) fn show(keys: &mut Keys<'_>, show: &mut Show) {
     keys.in_order(&["painted", "step", "triangle", "probe", "answer"]);
     keys.choice("stage", STAGES, &mut show.stage);
     keys.rare_word("stage_of", STAGE_PICTURES, &mut show.stage_of);
-    keys.optional_in("painted", UNIT, &mut show.painted);
+    keys.option("painted", &number_in(UNIT), &mut show.painted);
     step(keys, &mut show.step);
     triangle(keys, &mut show.triangle);
     let measures = |s: &mut Section<'_>, measures: &mut Vec<_>| *measures = s.words("measure", MEASURES);
-    keys.key("measure", !show.measure.is_empty(), &mut show.measure, measures, |measures| {
+    keys.field("measure", !show.measure.is_empty(), &mut show.measure, measures, |measures| {
         measures.iter().map(|measured| words::name(MEASURES, *measured)).collect::<Array>().into()
     });
-    keys.text("measure_of", &mut show.measure_of);
+    keys.option("measure_of", &TEXT, &mut show.measure_of);
     probe(keys, &mut show.probe);
     // Without the key it's that of the notes.
     let ndc = |s: &mut Section<'_>, ndc: &mut Option<_>| *ndc = s.choice("ndc", NDCS);
-    keys.key("ndc", show.ndc.is_some(), &mut show.ndc, ndc, |ndc| words::name(NDCS, ndc.unwrap_or_default()).into());
+    keys.field("ndc", show.ndc.is_some(), &mut show.ndc, ndc, |ndc| words::name(NDCS, ndc.unwrap_or_default()).into());
     let written = !show.operations.is_empty();
-    keys.key(
+    keys.field(
         "operation",
         written,
         &mut show.operations,
@@ -52,7 +53,7 @@ pub(super) fn show(keys: &mut Keys<'_>, show: &mut Show) {
 fn operations(section: &mut Section<'_>) -> Vec<Operation> {
     let key = "operation";
     if !section.is_list(key) {
-        let Some(text) = section.text(key) else { return Vec::new() };
+        let Some(text) = section.get(key, &TEXT) else { return Vec::new() };
         let operation = text.parse().ok();
         if operation.is_none() {
             section.refuse(key, Allowed::Operations);
@@ -73,22 +74,17 @@ fn step(keys: &mut Keys<'_>, step: &mut Option<ShownStep>) {
     keys.optional("step", "[show] step.", inline, step, blank, |keys, step| {
         keys.word("way", WAYS, &mut step.way);
         // In either projection, so that a figure can still be read after a change of it.
-        keys.optional_in("at", [0.0, f64::from(step.way.most_steps())], &mut step.at);
+        keys.option("at", &number_in([0.0, f64::from(step.way.most_steps())]), &mut step.at);
     });
 }
 
 fn triangle(keys: &mut Keys<'_>, triangle: &mut Option<ShownTriangle>) {
     let blank = ShownTriangle { object: String::new(), index: 0, step: TriangleStep::default(), pixel: None };
     keys.optional("triangle", "[show] triangle.", inline, triangle, blank, |keys, triangle| {
-        keys.needed_text("object", &mut triangle.object);
-        keys.integer("index", [0, i64::from(u32::MAX)], true, &mut triangle.index);
+        keys.needed("object", &TEXT, &mut triangle.object);
+        keys.key("index", &integer_in([0, i64::from(u32::MAX)]), &mut triangle.index);
         keys.word("step", TRIANGLE_STEPS, &mut triangle.step);
-        keys.option(
-            "pixel",
-            &mut triangle.pixel,
-            |s| s.whole_pair("pixel", 0),
-            |pixel| pixel.map(i64::from).into_iter().collect::<Array>().into(),
-        );
+        keys.option("pixel", &PIXEL_OF_IMAGE, &mut triangle.pixel);
     });
 }
 
@@ -99,15 +95,9 @@ fn probe(keys: &mut Keys<'_>, probe: &mut Option<ShownProbe>) {
             ShownProbe::Window(p) => (None, Some(p), None),
             ShownProbe::Pixel(pixel) => (None, None, Some(pixel)),
         };
-        let given = |s: &mut Section<'_>| Some(s.vector("world", DVec3::ZERO)).filter(|_| s.is_present("world"));
-        keys.option("world", &mut world, given, |p| vector(*p));
-        keys.option("window", &mut window, |s| s.pair("window"), |p| pair(*p));
-        keys.option(
-            "pixel",
-            &mut pixel,
-            |s| s.whole_pair("pixel", i64::MIN),
-            |pixel| Value::from(pixel.iter().copied().collect::<Array>()),
-        );
+        keys.option("world", &VECTOR, &mut world);
+        keys.option("window", &PAIR, &mut window);
+        keys.option("pixel", &PIXEL, &mut pixel);
         if let Some(section) = keys.reading() {
             let given = ["world", "window", "pixel"].into_iter().filter(|key| section.is_present(key));
             match given.collect::<Vec<_>>().as_slice() {
@@ -131,7 +121,7 @@ fn moved(keys: &mut Keys<'_>, previews: &mut Vec<TransformPreview>) {
     };
     keys.list("moved", "[[show.moved]]", MAX_SHOWN_OBJECTS, previews, blank, |keys, preview, _| {
         keys.in_order(&["change", "frame", "objects", "wrong"]);
-        keys.key(
+        keys.field(
             "objects",
             true,
             &mut preview.objects,
@@ -139,11 +129,10 @@ fn moved(keys: &mut Keys<'_>, previews: &mut Vec<TransformPreview>) {
             |names| names.iter().map(|name| quoted(name)).collect::<Array>().into(),
         );
         for (key, value) in [("change", &mut preview.change), ("frame", &mut preview.world_from_frame)] {
-            keys.require(key, Allowed::Matrix);
-            keys.key(key, true, value, |s, m| *m = s.matrix(key).unwrap_or(*m), matrix);
+            keys.needed(key, &MATRIX, value);
         }
         axis(keys, &mut preview.axis);
-        keys.switch("wrong", &mut preview.wrong, false);
+        keys.switch("wrong", &mut preview.wrong);
         keys.is_good()
     });
 }
@@ -151,8 +140,8 @@ fn moved(keys: &mut Keys<'_>, previews: &mut Vec<TransformPreview>) {
 fn axis(keys: &mut Keys<'_>, axis: &mut Option<Ray>) {
     let blank = Ray { origin: DVec3::ZERO, direction: DVec3::Y };
     keys.optional("axis", "[[show.moved]] axis.", inline, axis, blank, |keys, axis| {
-        keys.vector("origin", &mut axis.origin);
-        keys.vector("direction", &mut axis.direction);
+        keys.key("origin", &VECTOR, &mut axis.origin);
+        keys.key("direction", &VECTOR, &mut axis.direction);
         if let Some(section) = keys.reading() {
             if axis.direction == DVec3::ZERO {
                 section.refuse("direction", Allowed::NonZeroVector);

@@ -3,7 +3,7 @@
 mod section;
 mod stacked;
 mod syntax;
-mod value;
+pub mod value;
 
 use std::ops::Range;
 
@@ -149,7 +149,7 @@ pub fn line_of_object(text: &str, name: &str, key: &str) -> Option<usize> {
     let mut root = Section::new(text, Some(document.as_table()), "", 0);
     let objects = root.section("scene", "").sections("objects", "");
     let found = objects.into_iter().enumerate().find_map(|(i, mut object)| {
-        let called = object.text("name").unwrap_or_else(|| keys::default_name(i));
+        let called = object.get("name", &value::TEXT).unwrap_or_else(|| keys::default_name(i));
         (called == name).then_some(object)
     })?;
     Some(line_of(document.raw(), found.place(key).unwrap_or(found.at)))
