@@ -18,6 +18,7 @@ mod recommended;
 mod reveal;
 mod screen;
 mod show;
+pub mod value;
 pub mod variation;
 mod view;
 pub mod words;

@@ -1,7 +1,5 @@
 //! Guesses the key that an author probably meant.
 
-use super::keys::KEYS;
-
 /// Keys and words, with their names in other programs and in the notes, and typing errors.
 const SYNONYMS: &[(&str, &str)] = &[
     ("view_angle", "fov fovy fov_y field_of_view angle theta viewangle"),
@@ -46,19 +44,17 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("torus", "donut"),
 ];
 
-/// Keys that several sections have, so the section says little about them in a wrong place.
-const AMBIGUOUS: [&str; 4] = ["camera.name", "camera.color", "camera.height", "compare.camera"];
-
-/// The entry of `known` that `word` probably means, or the section where the key belongs.
-pub(super) fn key(word: &str, known: &[&str]) -> Option<String> {
+/// The entry of `known` that `word` probably means, or its section if it has another `home`.
+pub(super) fn key(word: &str, known: &[&str], home: impl Fn(&str) -> Option<String>) -> Option<String> {
+    let lower = word.to_lowercase();
     known
         .iter()
         .find(|key| key.eq_ignore_ascii_case(word))
         .map(|key| (*key).to_owned())
         .or_else(|| synonym(word, known))
-        .or_else(|| home(&word.to_lowercase()))
+        .or_else(|| home(&lower))
         .or_else(|| by_letters(word, known.iter().copied()))
-        .or_else(|| SYNONYMS.iter().find(|(_, words)| has(words, &word.to_lowercase())).and_then(|(key, _)| home(key)))
+        .or_else(|| SYNONYMS.iter().find(|(_, words)| has(words, &lower)).and_then(|(key, _)| home(key)))
 }
 
 /// The entry of `known` that `word` probably means.
@@ -75,19 +71,6 @@ pub(super) fn name(name: &str, known: &[&str]) -> Option<String> {
 fn synonym(word: &str, known: &[&str]) -> Option<String> {
     let word = word.to_lowercase().replace('-', "_");
     SYNONYMS.iter().find(|(key, words)| has(words, &word) && known.contains(key)).map(|(key, _)| (*key).to_owned())
-}
-
-/// The section of a key in the wrong one.
-fn home(key: &str) -> Option<String> {
-    let is_home = |path: &&String| {
-        let mut names = path.split('.');
-        let section = names.next();
-        names.next() == Some(key)
-            && !matches!(section, Some("cameras" | "points"))
-            && !AMBIGUOUS.contains(&path.as_str())
-    };
-    let path = KEYS.iter().filter(|_| key.len() > 1).find(is_home)?;
-    Some(format!("[{}] {key}", path.split('.').next()?))
 }
 
 fn has(words: &str, word: &str) -> bool {
@@ -112,12 +95,14 @@ pub(super) fn by_letters<'a>(word: &str, known: impl Iterator<Item = &'a str>) -
 mod tests {
     use super::*;
 
+    use crate::figure::keys::home;
+
     const CAMERA: &[&str] = &["position", "focal_point", "view_up", "view_angle", "aspect", "near", "far"];
 
     #[test]
     fn other_programs_names_lead_to_ours() {
         for (theirs, ours) in [("fov", "view_angle"), ("eye", "position"), ("up", "view_up"), ("zNear", "near")] {
-            assert_eq!(key(theirs, CAMERA).as_deref(), Some(ours));
+            assert_eq!(key(theirs, CAMERA, home).as_deref(), Some(ours));
         }
     }
 
@@ -126,21 +111,21 @@ mod tests {
         for (typed, ours) in
             [("focalpoint", "focal_point"), ("apsect", "aspect"), ("View_Up", "view_up"), ("nera", "near")]
         {
-            assert_eq!(key(typed, CAMERA).as_deref(), Some(ours));
+            assert_eq!(key(typed, CAMERA, home).as_deref(), Some(ours));
         }
     }
 
     #[test]
     fn a_key_in_the_wrong_section_is_sent_home() {
-        assert_eq!(key("theme", CAMERA).as_deref(), Some("[style] theme"));
-        assert_eq!(key("fov", &["width", "height"]).as_deref(), Some("[camera] view_angle"));
+        assert_eq!(key("theme", CAMERA, home).as_deref(), Some("[style] theme"));
+        assert_eq!(key("fov", &["width", "height"], home).as_deref(), Some("[camera] view_angle"));
     }
 
     #[test]
     fn what_resembles_nothing_gets_no_suggestion() {
-        assert_eq!(key("banana", CAMERA), None);
-        assert_eq!(key("", CAMERA), None);
-        assert_eq!(key(&"near".repeat(100_000), CAMERA), None);
+        assert_eq!(key("banana", CAMERA, home), None);
+        assert_eq!(key("", CAMERA, home), None);
+        assert_eq!(key(&"near".repeat(100_000), CAMERA, home), None);
     }
 
     #[test]

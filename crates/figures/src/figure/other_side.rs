@@ -4,7 +4,8 @@ use toml_edit::{Item, TableLike, Value};
 
 use super::edit::{Difference, NOTHING, difference, value_of, varied_together};
 use super::error::{Allowed, FigureError, Problem};
-use super::write::{document, quoted};
+use super::value::quoted;
+use super::write::document;
 use super::{Comparison, Figure};
 use crate::appearance::Style;
 use crate::camera::{Camera, Convention};

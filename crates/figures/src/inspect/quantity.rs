@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use super::{
-    BasisReport, CameraReport, LensReport, PlanesReport, PointReport, RayReport, Report, SidesReport, WindowReport,
-};
+use serde::Serialize;
+
+use super::{CameraReport, Report, Whole};
 use crate::camera::ParameterKey;
 
 /// Numbers of a [`Report`] that belong together. Points and rays are counted from 0, in the order of the request.
@@ -39,7 +39,7 @@ pub enum Quantity {
 /// Numbers of one part of a report: each with its key in the JSON of `inspect`, and its numbers row by row. `None` if the
 /// report has none.
 macro_rules! numbers {
-    ($(#[$doc:meta])* $name:ident of $report:ident { $($(#[$of:meta])* $variant:ident = $word:literal => $numbers:expr),* $(,)? }) => {
+    ($(#[$doc:meta])* $name:ident of $report:ident { $($(#[$of:meta])* $variant:ident = $field:ident => $numbers:expr),* $(,)? }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum $name { $($(#[$of])* $variant),* }
@@ -50,7 +50,7 @@ macro_rules! numbers {
 
             /// Its key in the JSON of `inspect`.
             pub const fn name(self) -> &'static str {
-                match self { $(Self::$variant => $word),* }
+                match self { $(Self::$variant => stringify!($field)),* }
             }
 
             fn of_name(name: &str) -> Option<Self> {
@@ -65,79 +65,106 @@ macro_rules! numbers {
     };
 }
 
-numbers! {
+/// A part of a report, and its numbers.
+macro_rules! part {
+    (
+        $(#[$doc:meta])* $report:ident,
+        $(#[$about:meta])* $name:ident {
+            $($(#[$of:meta])* $variant:ident = $field:ident: $type:ty => $numbers:expr),* $(,)?
+        }
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+        pub struct $report { $($(#[$of])* pub $field: $type),* }
+
+        numbers! { $(#[$about])* $name of $report { $($(#[$of])* $variant = $field => $numbers),* } }
+    };
+}
+
+part! {
+    /// l, r, b, t.
+    SidesReport,
     /// A side of the view window.
-    Side of SidesReport {
+    Side {
         /// l
-        Left = "left" => |window| Some(vec![window.left]),
+        Left = left: f64 => |window| Some(vec![window.left]),
         /// r
-        Right = "right" => |window| Some(vec![window.right]),
+        Right = right: f64 => |window| Some(vec![window.right]),
         /// b
-        Bottom = "bottom" => |window| Some(vec![window.bottom]),
+        Bottom = bottom: f64 => |window| Some(vec![window.bottom]),
         /// t
-        Top = "top" => |window| Some(vec![window.top]),
+        Top = top: f64 => |window| Some(vec![window.top]),
     }
 }
 
-numbers! {
+part! {
+    /// The planes of the view volume in the world: \[a, b, c, d\] with a x + b y + c z + d ≥ 0 inside, and (a, b, c) of
+    /// length 1.
+    PlanesReport,
     /// A plane of the view volume, in the order of `Camera::volume_planes`.
-    VolumePlane of PlanesReport {
+    VolumePlane {
         /// Through C and l.
-        Left = "left" => |planes| Some(planes.left.to_vec()),
+        Left = left: [f64; 4] => |planes| Some(planes.left.to_vec()),
         /// Through C and r.
-        Right = "right" => |planes| Some(planes.right.to_vec()),
+        Right = right: [f64; 4] => |planes| Some(planes.right.to_vec()),
         /// Through C and b.
-        Bottom = "bottom" => |planes| Some(planes.bottom.to_vec()),
+        Bottom = bottom: [f64; 4] => |planes| Some(planes.bottom.to_vec()),
         /// Through C and t.
-        Top = "top" => |planes| Some(planes.top.to_vec()),
+        Top = top: [f64; 4] => |planes| Some(planes.top.to_vec()),
         /// At F.
-        Near = "near" => |planes| Some(planes.near.to_vec()),
+        Near = near: [f64; 4] => |planes| Some(planes.near.to_vec()),
         /// At B.
-        Far = "far" => |planes| Some(planes.far.to_vec()),
+        Far = far: [f64; 4] => |planes| Some(planes.far.to_vec()),
     }
 }
 
-numbers! {
+part! {
+    /// The VRC.
+    BasisReport,
     /// An axis of the VRC.
-    BasisAxis of BasisReport {
+    BasisAxis {
         /// **u**
-        U = "u" => |basis| Some(basis.u.to_vec()),
+        U = u: [f64; 3] => |basis| Some(basis.u.to_vec()),
         /// **v**
-        V = "v" => |basis| Some(basis.v.to_vec()),
+        V = v: [f64; 3] => |basis| Some(basis.v.to_vec()),
         /// **n**
-        N = "n" => |basis| Some(basis.n.to_vec()),
+        N = n: [f64; 3] => |basis| Some(basis.n.to_vec()),
     }
 }
 
-numbers! {
+part! {
+    /// The view window.
+    WindowReport,
     /// A number of the view window.
-    WindowNumber of WindowReport {
+    WindowNumber {
         /// l
-        Left = "left" => |window| Some(vec![window.left]),
+        Left = left: f64 => |window| Some(vec![window.left]),
         /// r
-        Right = "right" => |window| Some(vec![window.right]),
+        Right = right: f64 => |window| Some(vec![window.right]),
         /// b
-        Bottom = "bottom" => |window| Some(vec![window.bottom]),
+        Bottom = bottom: f64 => |window| Some(vec![window.bottom]),
         /// t
-        Top = "top" => |window| Some(vec![window.top]),
+        Top = top: f64 => |window| Some(vec![window.top]),
         /// W
-        Width = "width" => |window| Some(vec![window.width]),
+        Width = width: f64 => |window| Some(vec![window.width]),
         /// H
-        Height = "height" => |window| Some(vec![window.height]),
-        /// W / H
-        Aspect = "aspect" => |window| Some(vec![window.aspect]),
+        Height = height: f64 => |window| Some(vec![window.height]),
+        /// A
+        Aspect = aspect: f64 => |window| Some(vec![window.aspect]),
     }
 }
 
-numbers! {
+part! {
+    /// The lens in other words than θ.
+    LensReport,
     /// A number of the lens.
-    LensNumber of LensReport {
-        /// From left to right.
-        HorizontalAngle = "horizontal_angle" => |lens| Some(vec![lens.horizontal_angle]),
-        /// From corner to corner.
-        DiagonalAngle = "diagonal_angle" => |lens| Some(vec![lens.diagonal_angle]),
-        /// `f_x` and `f_y`.
-        FocalLengthPixels = "focal_length_pixels" => |lens| Some(lens.focal_length_pixels.to_vec()),
+    LensNumber {
+        /// The angle that the window spans from left to right, degrees.
+        HorizontalAngle = horizontal_angle: f64 => |lens| Some(vec![lens.horizontal_angle]),
+        /// The angle from corner to corner, degrees.
+        DiagonalAngle = diagonal_angle: f64 => |lens| Some(vec![lens.diagonal_angle]),
+        /// `f_x` and `f_y`, in pixels of the image.
+        FocalLengthPixels = focal_length_pixels: [f64; 2] => |lens| Some(lens.focal_length_pixels.to_vec()),
     }
 }
 
@@ -145,49 +172,54 @@ numbers! {
     /// A matrix of a report, or an inverse.
     ReportMatrix of Report {
         /// M_v
-        View = "view_matrix" => |report| Some(report.view_matrix.concat()),
+        View = view_matrix => |report| Some(report.view_matrix.concat()),
         /// M_p
-        Projection = "projection_matrix" => |report| Some(report.projection_matrix.concat()),
+        Projection = projection_matrix => |report| Some(report.projection_matrix.concat()),
         /// M_p M_v
-        ViewProjection = "view_projection_matrix" => |report| Some(report.view_projection_matrix.concat()),
+        ViewProjection = view_projection_matrix => |report| Some(report.view_projection_matrix.concat()),
         /// The inverse of M_v.
-        InverseView = "inverse_view_matrix" => |report| Some(report.inverse_view_matrix.concat()),
+        InverseView = inverse_view_matrix => |report| Some(report.inverse_view_matrix.concat()),
         /// The inverse of M_p.
-        InverseProjection = "inverse_projection_matrix" => |report| Some(report.inverse_projection_matrix.concat()),
+        InverseProjection = inverse_projection_matrix => |report| Some(report.inverse_projection_matrix.concat()),
     }
 }
 
-numbers! {
+part! {
+    /// One point in every space. The values after the division are `null` if W = 0.
+    PointReport,
     /// A point in one of its spaces.
-    PointNumber of PointReport {
+    PointNumber {
         /// World.
-        World = "world" => |point| Some(point.world.to_vec()),
-        /// View space.
-        View = "view" => |point| Some(point.view.to_vec()),
+        World = world: [f64; 3] => |point| Some(point.world.to_vec()),
+        /// VRC.
+        View = view: [f64; 3] => |point| Some(point.view.to_vec()),
         /// Clip coordinates.
-        Clip = "clip" => |point| Some(point.clip.to_vec()),
+        Clip = clip: [f64; 4] => |point| Some(point.clip.to_vec()),
         /// NDC.
-        Ndc = "ndc" => |point| Some(point.ndc?.to_vec()),
-        /// (x_p, y_p) on the view window.
-        Window = "window" => |point| Some(point.window?.to_vec()),
-        /// The pixel (i, j).
-        Pixel = "pixel" => |point| Some(point.pixel?.map(|whole| whole.0).to_vec()),
-        /// (X, Y, Z) of the viewport.
-        Viewport = "viewport" => |point| point.viewport.map(|(x, y, z)| vec![x.0, y.0, z]),
-        /// 1 inside the view volume, 0 outside.
-        Inside = "inside" => |point| Some(vec![f64::from(u8::from(point.inside?))]),
+        Ndc = ndc: Option<[f64; 3]> => |point| Some(point.ndc?.to_vec()),
+        /// (x_p, y_p).
+        Window = window: Option<[f64; 2]> => |point| Some(point.window?.to_vec()),
+        /// (i, j).
+        Pixel = pixel: Option<[Whole; 2]> => |point| Some(point.pixel?.map(|whole| whole.0).to_vec()),
+        /// (X, Y, Z).
+        Viewport = viewport: Option<(Whole, Whole, f64)> => |point| point.viewport.map(|(x, y, z)| vec![x.0, y.0, z]),
+        /// |X|, |Y|, |Z| ≤ W (or the bounds of the convention for Z) and W > 0; `None` if W = 0 (such a point is not
+        /// inside).
+        Inside = inside: Option<bool> => |point| Some(vec![f64::from(u8::from(point.inside?))]),
     }
 }
 
-numbers! {
+part! {
+    /// The ray through the centre of a pixel.
+    RayReport,
     /// The ray through a pixel.
-    RayNumber of RayReport {
-        /// The pixel (i, j).
-        Pixel = "pixel" => |ray| Some(ray.pixel.map(|whole| whole as f64).to_vec()),
-        /// O_R
-        Origin = "origin" => |ray| Some(ray.origin.to_vec()),
-        /// A unit vector.
-        Direction = "direction" => |ray| Some(ray.direction.to_vec()),
+    RayNumber {
+        /// (i, j).
+        Pixel = pixel: [i64; 2] => |ray| Some(ray.pixel.map(|whole| whole as f64).to_vec()),
+        /// Its origin, world.
+        Origin = origin: [f64; 3] => |ray| Some(ray.origin.to_vec()),
+        /// Unit vector, world.
+        Direction = direction: [f64; 3] => |ray| Some(ray.direction.to_vec()),
     }
 }
 

@@ -9,7 +9,7 @@ use super::value::Table;
 use crate::camera::{Place, Viewport};
 use crate::figure::error::Allowed;
 use crate::figure::read::Section;
-use crate::figure::read::value::{PIXEL_OF_IMAGE, TEXT, VECTOR};
+use crate::figure::value::{PIXEL_OF_IMAGE, TEXT, VECTOR};
 use crate::scene::ObjectPoint;
 
 /// The ways to give a point in a table. Each is the key of its value.

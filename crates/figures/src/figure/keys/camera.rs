@@ -5,7 +5,7 @@ use toml_edit::TableLike;
 use super::{Keys, inline};
 use crate::camera::{Camera, LensForm, Parameters, Sensor, ViewWindow};
 use crate::figure::error::Problem;
-use crate::figure::read::value::{
+use crate::figure::value::{
     ANGLE, COLOR, HALF_TURN, NUMBER, NUMBER_OR_INFINITY, POSITIVE, POSITIVE_PAIR, VECTOR, line,
 };
 use crate::figure::words::{PROJECTIONS, SENSOR_FITS};

@@ -2,13 +2,12 @@
 
 use toml_edit::{Array, InlineTable, Item, Value};
 
-use super::sections::UNIT;
-use super::{Keys, keys_of};
+use super::{Keys, UNIT, keys_of};
 use crate::figure::edit::NOTHING;
 use crate::figure::error::{Allowed, FigureError, Problem};
-use crate::figure::read::value::{TEXT, number_in};
 use crate::figure::read::{Fault, Section, parse};
-use crate::figure::write::quoted;
+use crate::figure::value::quoted;
+use crate::figure::value::{TEXT, number_in};
 use crate::figure::{Comparison, NamedCamera, near};
 use crate::limits::MAX_COMPARED_KEYS;
 use crate::sanitize;

@@ -3,15 +3,14 @@
 use glam::{DVec2, DVec3};
 use toml_edit::{Array, Value};
 
-use super::Keys;
-use super::sections::UNIT;
+use super::{Keys, UNIT};
 use crate::appearance::Rgba;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::labels::{LabelTextError, set_text};
 use crate::figure::read::Section;
-use crate::figure::read::value::{COLOR, TEXT, VECTOR, integer_in, line, number_in};
+use crate::figure::value::{COLOR, PAIR, TEXT, VECTOR, integer_in, line, number_in, quoted};
 use crate::figure::words::{DIMENSIONS, LETTERS, MEASURE_TEXTS, PICTURES};
-use crate::figure::write::{pair, quoted, vector};
+
 use crate::figure::{
     LabelledMeasure, Labels, Measure, MeasureText, MovedLabel, Note, NotePlace, RenamedLabel, StyledLabel,
 };
@@ -122,8 +121,8 @@ fn place(at: &NotePlace) -> Value {
         keys.into_iter().collect::<toml_edit::InlineTable>().into()
     };
     match at {
-        NotePlace::World(p) => vector(*p),
-        NotePlace::Picture(p) => pair(*p),
+        NotePlace::World(p) => (VECTOR.write)(p),
+        NotePlace::Picture(p) => (PAIR.write)(p),
         NotePlace::Vertex { object, vertex } => of_mesh(object, "vertex", *vertex),
         NotePlace::Edge { object, edge } => of_mesh(object, "edge", *edge),
     }

@@ -17,10 +17,10 @@ use glam::{DVec2, DVec3};
 use toml_edit::{ArrayOfTables, InlineTable, Item, Table, Value};
 
 use super::error::Allowed;
-use super::read::value::{PAIR, SWITCH, Values};
 use super::read::{Fault, Section, at_most};
+use super::value::quoted;
+use super::value::{PAIR, SWITCH, Values};
 use super::words::{self, Words};
-use super::write::quoted;
 pub(super) use camera::{is_way_of_the_angle, remove_rivals};
 pub(super) use comparison::checked;
 pub(super) use scene::default_name;
@@ -35,6 +35,25 @@ pub static KEYS: LazyLock<Vec<String>> = LazyLock::new(|| {
         Pass::Read { .. } | Pass::Write(_) => Vec::new(),
     }
 });
+
+/// Shares, and depths of the viewport.
+const UNIT: [f64; 2] = [0.0, 1.0];
+
+/// Keys that several sections have, so the section says little about them in a wrong place.
+const AMBIGUOUS: [&str; 4] = ["camera.name", "camera.color", "camera.height", "compare.camera"];
+
+/// The section of a key in the wrong one, `[camera] near`.
+pub(super) fn home(key: &str) -> Option<String> {
+    let is_home = |path: &&String| {
+        let mut names = path.split('.');
+        let section = names.next();
+        names.next() == Some(key)
+            && !matches!(section, Some("cameras" | "points"))
+            && !AMBIGUOUS.contains(&path.as_str())
+    };
+    let path = KEYS.iter().filter(|_| key.len() > 1).find(is_home)?;
+    Some(format!("[{}] {key}", path.split('.').next()?))
+}
 
 /// The keys of a section, `style`.
 pub(super) fn keys_of(section: &str) -> impl Iterator<Item = &'static str> {
@@ -51,8 +70,8 @@ pub(super) fn sections() -> Vec<&'static str> {
 /// A pass through the keys of a section.
 pub(super) struct Keys<'a> {
     pass: Pass<'a>,
-    /// The keys that take part; all if there are none.
-    only: Vec<&'a str>,
+    /// The keys that take part; `None` means all.
+    only: Option<Vec<&'a str>>,
     /// True if keys with their usual values are written too.
     every: bool,
 }
@@ -79,12 +98,12 @@ impl<'a> Keys<'a> {
     }
 
     fn new(pass: Pass<'a>) -> Self {
-        Self { pass, only: Vec::new(), every: false }
+        Self { pass, only: None, every: false }
     }
 
     /// Passes only through these keys of the section. The others keep their values.
     pub(super) fn only(self, only: &[&'a str]) -> Self {
-        Self { only: only.to_vec(), ..self }
+        Self { only: Some(only.to_vec()), ..self }
     }
 
     /// Adds the faults to others. True if the section's own faults are only unknown keys.
@@ -152,7 +171,7 @@ impl<'a> Keys<'a> {
 
     /// True if a key takes part.
     fn takes(&mut self, key: &'static str) -> bool {
-        let takes = self.only.is_empty() || self.only.contains(&key);
+        let takes = self.only.as_ref().is_none_or(|only| only.contains(&key));
         if !takes {
             self.in_order(&[key]);
         }

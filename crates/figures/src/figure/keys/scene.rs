@@ -6,10 +6,10 @@ use super::Keys;
 use crate::appearance::{Filter, Theme, Wrap};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
-use crate::figure::read::value::{ANGLES, COLOR, PAIR, TEXT, VECTOR, integer_in, number_in};
 use crate::figure::read::{Fault, Section};
+use crate::figure::value::{ANGLES, COLOR, PAIR, TEXT, VECTOR, integer_in, number_in};
+use crate::figure::value::{quoted, write_vectors};
 use crate::figure::words::{LIGHTS, PRESETS, SHAPES};
-use crate::figure::write::{quoted, vectors};
 use crate::limits::{MAX_SEGMENTS, MAX_TEXTURE_SCALE, MIN_SEGMENTS};
 use crate::scene::palette::SceneColors;
 use crate::scene::{
@@ -76,8 +76,8 @@ fn object(keys: &mut Keys<'_>, o: &mut ObjectSpec) {
         &mut o.shape,
         |_, _| {},
         |shape| match shape.as_ref().map(Shape::data) {
-            Some(ShapeData::Points(points)) => vectors(points),
-            _ => vectors(&[]),
+            Some(ShapeData::Points(points)) => write_vectors(points),
+            _ => write_vectors(&[]),
         },
     );
     keys.field(

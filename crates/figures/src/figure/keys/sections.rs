@@ -2,18 +2,18 @@
 
 use glam::DVec3;
 
-use super::{Keys, camera, comparison, inline, labels, scene, show};
+use super::{Keys, UNIT, camera, comparison, inline, labels, scene, show};
 use crate::appearance::Style;
 use crate::camera::{ImageSize, Projection, Viewport};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::points::may_be_named;
 use crate::figure::read::Section;
-use crate::figure::read::value::{ANGLE, POSITIVE, SWITCH, TEXT, VECTOR, angle_in, integer_in, integers, number_in};
+use crate::figure::value::write_told;
+use crate::figure::value::{ANGLE, POSITIVE, SWITCH, TEXT, VECTOR, angle_in, integer_in, integers, number_in};
 use crate::figure::words::{
     self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PICTURES, PROJECTIONS, SCREEN_MATRICES,
     SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
 };
-use crate::figure::write::told;
 use crate::figure::{
     AXES_LENGTHS, Bilingual, Depth, Figure, NamedPoint, Observer, Photograph, Reveal, Screen, ScreenEntry,
     ScreenMatrix, View, WorldLook, WorldPart,
@@ -23,8 +23,6 @@ use crate::sanitize;
 
 /// The sizes of images in pixels.
 const SIDES: [i64; 2] = [1, MAX_SIDE as i64];
-/// Shares, and depths of the viewport.
-pub(super) const UNIT: [f64; 2] = [0.0, 1.0];
 
 /// A figure, in a file or in a part of one.
 pub(in crate::figure) fn figure(keys: &mut Keys<'_>, f: &mut Figure) {
@@ -33,8 +31,8 @@ pub(in crate::figure) fn figure(keys: &mut Keys<'_>, f: &mut Figure) {
         "" => format!("[{key}]"),
         root => format!("[{root}.{key}]"),
     };
-    keys.optional_field("title", &mut f.title, |s| bilingual_line(s, "title", MAX_TITLE), told);
-    keys.optional_field("caption", &mut f.caption, |s| bilingual_line(s, "caption", MAX_CAPTION), told);
+    keys.optional_field("title", &mut f.title, |s| bilingual_line(s, "title", MAX_TITLE), write_told);
+    keys.optional_field("caption", &mut f.caption, |s| bilingual_line(s, "caption", MAX_CAPTION), write_told);
     keys.section("camera", &label("camera"), |keys| camera::current(keys, f));
     keys.section("image", &label("image"), |keys| image(keys, f));
     viewport(keys, &label("viewport"), f);

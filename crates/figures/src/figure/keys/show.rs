@@ -3,14 +3,13 @@
 use glam::{DMat4, DVec3};
 use toml_edit::{Array, Item};
 
-use super::sections::UNIT;
-use super::{Keys, camera, inline};
+use super::{Keys, UNIT, camera, inline};
 use crate::camera::{Operation, Parameters};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::Section;
-use crate::figure::read::value::{MATRIX, PAIR, PIXEL, PIXEL_OF_IMAGE, TEXT, VECTOR, integer_in, number_in};
+use crate::figure::value::quoted;
+use crate::figure::value::{MATRIX, PAIR, PIXEL, PIXEL_OF_IMAGE, TEXT, VECTOR, integer_in, number_in};
 use crate::figure::words::{self, MEASURES, NDCS, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
-use crate::figure::write::quoted;
 use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, TransformPreview, TriangleStep};
 use crate::geometry::Ray;
 use crate::limits::MAX_SHOWN_OBJECTS;

@@ -3,7 +3,6 @@
 mod section;
 mod stacked;
 mod syntax;
-pub mod value;
 
 use std::ops::Range;
 
@@ -11,7 +10,7 @@ use toml_edit::{Document, DocumentMut, TableLike};
 
 use super::error::{FigureError, Problem};
 use super::keys::{self, Keys};
-use super::write::quoted;
+use super::value::{TEXT, quoted};
 use super::{Comparison, Figure};
 use crate::camera::CameraError;
 use crate::limits::MAX_FIGURE_BYTES;
@@ -61,7 +60,8 @@ fn parse_but<T>(
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
     let mut faults = Vec::new();
-    let found = read(Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0), &mut faults);
+    let root = Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0).with_homes(keys::home);
+    let found = read(root, &mut faults);
     let (excused, faults): (Vec<Fault>, Vec<Fault>) = faults.into_iter().partition(excused);
     match faults.into_iter().min_by_key(|fault| fault.at) {
         Some(Fault { at, key, problem }) => Err(FigureError { line: line_of(text, at), key, problem }),
@@ -149,7 +149,7 @@ pub fn line_of_object(text: &str, name: &str, key: &str) -> Option<usize> {
     let mut root = Section::new(text, Some(document.as_table()), "", 0);
     let objects = root.section("scene", "").sections("objects", "");
     let found = objects.into_iter().enumerate().find_map(|(i, mut object)| {
-        let called = object.get("name", &value::TEXT).unwrap_or_else(|| keys::default_name(i));
+        let called = object.get("name", &TEXT).unwrap_or_else(|| keys::default_name(i));
         (called == name).then_some(object)
     })?;
     Some(line_of(document.raw(), found.place(key).unwrap_or(found.at)))

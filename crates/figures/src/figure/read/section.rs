@@ -4,10 +4,10 @@ use glam::{DVec2, DVec3};
 use toml_edit::{Item, TableLike, Value};
 
 use super::snippet;
-use super::value::{PAIR, Refused, Values, number, told, told_by, vector, whole_numbers};
 use crate::expression::Dimension;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
+use crate::figure::value::{PAIR, Refused, Values, number, told, told_by, vector, whole_numbers};
 use crate::figure::words::{self, Words};
 
 /// A fault, and its place in the text.
@@ -38,6 +38,8 @@ pub struct Section<'a> {
     /// The start of the section.
     pub at: usize,
     asked: Vec<&'static str>,
+    /// The section of a key in the wrong one.
+    home: fn(&str) -> Option<String>,
     /// Faults of the keys read so far.
     pub faults: Vec<Fault>,
 }
@@ -45,7 +47,12 @@ pub struct Section<'a> {
 impl<'a> Section<'a> {
     /// The section of `table`. `label` precedes its keys in messages, and `at` is its start.
     pub fn new(text: &'a str, table: Option<&'a dyn TableLike>, label: &str, at: usize) -> Self {
-        Self { text, table, label: label.to_owned(), at, asked: Vec::new(), faults: Vec::new() }
+        Self { text, table, label: label.to_owned(), at, asked: Vec::new(), home: |_| None, faults: Vec::new() }
+    }
+
+    /// The section, whose messages know the sections of keys in a wrong place.
+    pub(in crate::figure) fn with_homes(self, home: fn(&str) -> Option<String>) -> Self {
+        Self { home, ..self }
     }
 
     /// The place of `key`; `None` if it's missing.
@@ -292,7 +299,7 @@ impl<'a> Section<'a> {
         if item.is_some() && table.is_none() {
             self.refuse(key, Allowed::Section);
         }
-        Self::new(self.text, table, label, self.place(key).unwrap_or(self.at))
+        Self::new(self.text, table, label, self.place(key).unwrap_or(self.at)).with_homes(self.home)
     }
 
     /// Sections in this one: `[[label]]`, or a list of inline tables.
@@ -316,7 +323,8 @@ impl<'a> Section<'a> {
             return Vec::new();
         };
         let here = self.place(key).unwrap_or(self.at);
-        tables.into_iter().map(|(t, at)| Self::new(self.text, Some(t), label, at.unwrap_or(here))).collect()
+        let one = |table, at| Self::new(self.text, Some(table), label, at).with_homes(self.home);
+        tables.into_iter().map(|(table, at)| one(table, at.unwrap_or(here))).collect()
     }
 
     /// The entries of a table in this section, each with its value as written and its place in the text. Entries of
@@ -377,7 +385,7 @@ impl<'a> Section<'a> {
             .collect();
         for key in unknown {
             let known = self.asked.clone();
-            let problem = Problem::UnknownKey { near: near::key(&key, &known), known };
+            let problem = Problem::UnknownKey { near: near::key(&key, &known, self.home), known };
             let at = self.place(&key).unwrap_or(self.at);
             self.faults.push(Fault { at, key: self.name_of(&snippet(&key, 0..key.len())), problem });
         }

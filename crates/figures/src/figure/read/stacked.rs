@@ -5,7 +5,7 @@ use toml_edit::{Item, Table, TableLike};
 use super::figure;
 use super::section::{Fault, Section};
 use crate::figure::Figure;
-use crate::figure::keys::{remove_rivals, sections};
+use crate::figure::keys::{home, remove_rivals, sections};
 
 /// Stacked sections, with their places in the text.
 #[derive(Debug, Default)]
@@ -49,7 +49,7 @@ impl Stacked {
     /// The figure of all of them. `within` is a section of their text.
     pub fn figure(&self, within: &Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         let label = within.name_of("").trim_matches(['[', ']', ' ']).to_owned();
-        figure(Section::new(within.text, Some(&self.table), &format!("[{label}]"), within.at), faults)
+        figure(Section::new(within.text, Some(&self.table), &format!("[{label}]"), within.at).with_homes(home), faults)
     }
 }
 

@@ -1,12 +1,13 @@
 //! The values of keys: which are allowed, and how they're read and written.
 
 use glam::{DMat4, DVec2, DVec3};
-use toml_edit::{Item, TableLike, Value};
+use toml_edit::{Array, InlineTable, Item, TableLike, Value};
 
+use super::Bilingual;
+use super::error::Allowed;
 use crate::appearance::Rgba;
 use crate::expression::{self, Dimension, ExpressionError};
-use crate::figure::error::Allowed;
-use crate::figure::write::{self, numbers_of, quoted};
+use crate::numbers;
 use crate::sanitize;
 
 /// The values of a key.
@@ -14,7 +15,7 @@ pub struct Values<V> {
     /// The allowed ones.
     pub allowed: Allowed,
     pub(super) read: Read<V>,
-    pub(in crate::figure) write: fn(&V) -> Value,
+    pub(super) write: fn(&V) -> Value,
 }
 
 /// Reads a value that's among the allowed ones.
@@ -85,7 +86,7 @@ pub static POSITIVE_PAIR: Values<[f64; 2]> = values(
 );
 
 /// A 4 × 4 matrix, row by row.
-pub static MATRIX: Values<DMat4> = values(Allowed::Matrix, |v, _| matrix(v), write::matrix);
+pub static MATRIX: Values<DMat4> = values(Allowed::Matrix, |v, _| matrix(v), write_matrix);
 
 /// A pixel (i, j), also outside the image.
 pub static PIXEL: Values<[i64; 2]> =
@@ -139,7 +140,7 @@ fn allow<V>(value: V, is_allowed: bool) -> Result<V, Refused> {
 }
 
 fn write_number(x: &f64) -> Value {
-    write::number(*x)
+    written(*x)
 }
 
 fn number_or_infinity(value: &Value, _: &Allowed) -> Result<f64, Refused> {
@@ -251,4 +252,47 @@ fn bilingual_in(table: &dyn TableLike) -> Option<[String; 2]> {
 
 pub(super) fn vector(value: &Value, dimension: Dimension) -> Result<DVec3, Refused> {
     numbers(value, dimension).map(DVec3::from_array)
+}
+
+/// A text that's the same in both languages, or one for each.
+pub(super) fn write_told(text: &Bilingual) -> Value {
+    let Bilingual { en, pt_br } = text;
+    if en == pt_br {
+        return quoted(en);
+    }
+    [("en", quoted(en)), ("pt-BR", quoted(pt_br))].into_iter().collect::<InlineTable>().into()
+}
+
+/// A text in double quotes on one line. The library would take several lines for a text with a line end, and those
+/// change with the line ends of the file. (JSON escapes the same characters as TOML, except for DEL.)
+pub(super) fn quoted(text: &str) -> Value {
+    let quoted = serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007F");
+    let mut value = quoted.parse().unwrap_or_else(|_| Value::from(text));
+    value.decor_mut().clear();
+    value
+}
+
+/// The shortest decimal number that reads back as the same `f64`. It's in Rust's notation for floats, because the
+/// library's has hundreds of zeros if the number is very large or small.
+fn written(x: f64) -> Value {
+    let mut value = numbers::exact(x).parse().unwrap_or_else(|_| Value::from(x));
+    // Spaces around it belong to its place.
+    value.decor_mut().clear();
+    value
+}
+
+fn write_vector(v: DVec3) -> Value {
+    numbers_of(v.to_array())
+}
+
+pub(super) fn write_vectors(points: &[DVec3]) -> Value {
+    points.iter().map(|p| write_vector(*p)).collect::<Array>().into()
+}
+
+fn write_matrix(m: &DMat4) -> Value {
+    (0..4).map(|i| numbers_of(m.row(i).to_array())).collect::<Array>().into()
+}
+
+fn numbers_of<const N: usize>(numbers: [f64; N]) -> Value {
+    numbers.into_iter().map(written).collect::<Array>().into()
 }
