@@ -2,12 +2,11 @@
 
 use toml_edit::{Item, TableLike, Value};
 
-use super::edit::{Difference, NOTHING, difference, value_of, varied_together};
+use super::edit::{NOTHING, value_of, varied_together};
 use super::error::{Allowed, FigureError, Problem};
 use super::value::quoted;
-use super::write::document;
+use super::write::sections;
 use super::{Comparison, Figure};
-use crate::appearance::Style;
 use crate::camera::{Camera, Convention};
 use crate::limits::MAX_COMPARED_KEYS;
 use crate::sanitize::escaped;
@@ -35,25 +34,19 @@ impl Comparison {
 
     /// A comparison with another figure of the same scene: its whole camera, and its styles that differ.
     pub fn with_figure(self, figure: &Figure, other: &Figure) -> Self {
-        let document = document(&Figure { camera: other.camera, lens: other.lens, ..Figure::default() });
-        let camera = document.get("camera").and_then(Item::as_table_like);
-        let written = camera.into_iter().flat_map(TableLike::iter).filter_map(|(key, item)| {
-            let value = item.as_value()?.to_string().trim().to_owned();
-            Some((format!("camera.{key}"), value))
-        });
-        let mut with: Vec<(String, String)> = written.collect();
+        let written = |section: &str, of: &Figure| -> Vec<(String, String)> {
+            let document = sections(of, &[section], false);
+            let keys = document.get(section).and_then(Item::as_table_like).into_iter().flat_map(TableLike::iter);
+            let value = |item: &Item| Some(item.as_value()?.to_string().trim().to_owned());
+            keys.filter_map(|(key, item)| Some((format!("{section}.{key}"), value(item)?))).collect()
+        };
+        let mut with = written("camera", &Figure { camera: other.camera, lens: other.lens, ..Figure::default() });
         if other.camera.window.is_none() {
             with.push(("camera.window".to_owned(), NOTHING.to_owned()));
         }
         // Both sides show one scene, whose colours come from a theme.
-        let bare = |of: &Figure| Figure { style: Style { theme: figure.style.theme, ..of.style }, ..Figure::default() };
-        let Difference { changed, .. } = difference(Some(&bare(figure)), &bare(other));
-        let style = changed.get("style").and_then(Item::as_table_like);
-        let style = style
-            .into_iter()
-            .flat_map(TableLike::iter)
-            .filter_map(|(key, item)| Some((format!("style.{key}"), item.as_value()?.to_string().trim().to_owned())));
-        with.extend(style);
+        let own = written("style", figure);
+        with.extend(written("style", other).into_iter().filter(|key| key.0 != "style.theme" && !own.contains(key)));
         with.truncate(MAX_COMPARED_KEYS);
         Self { with, ops: Vec::new(), ..self }
     }

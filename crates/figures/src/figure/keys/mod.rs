@@ -26,7 +26,7 @@ pub(super) use comparison::checked;
 pub(super) use scene::default_name;
 pub(super) use sections::figure;
 
-/// Every key of a figure file, `camera.near`, in the order in which a message lists them.
+/// Every key of a figure file, `camera.near`, section by section.
 pub static KEYS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut keys = Keys::new(Pass::List(Vec::new()));
     figure(&mut keys, &mut super::Figure::default());
@@ -208,6 +208,20 @@ impl<'a> Keys<'a> {
     ) {
         if !self.is_writing() || value.is_some() {
             self.field(key, true, value, |s, v| *v = read(s), |v| v.as_ref().map_or_else(|| quoted(""), write));
+        }
+    }
+
+    /// Writes a key that's read in its own way.
+    fn put(&mut self, key: &'static str, value: impl FnOnce() -> Value) {
+        if let Pass::Write(table) = &mut self.pass {
+            table.insert(key, Item::Value(value()));
+        }
+    }
+
+    /// Lists keys that are read and written in their own way.
+    fn list_also(&mut self, keys: &[&str]) {
+        if let Pass::List(paths) = &mut self.pass {
+            paths.extend(keys.iter().map(|key| (*key).to_owned()));
         }
     }
 

@@ -7,8 +7,7 @@ use crate::appearance::{Filter, Theme, Wrap};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
 use crate::figure::read::{Fault, Section};
-use crate::figure::value::{ANGLES, COLOR, PAIR, TEXT, VECTOR, integer_in, number_in};
-use crate::figure::value::{quoted, write_vectors};
+use crate::figure::value::{ANGLES, COLOR, PAIR, TEXT, VECTOR, integer_in, number_in, quoted, write_vectors};
 use crate::figure::words::{LIGHTS, PRESETS, SHAPES};
 use crate::limits::{MAX_SEGMENTS, MAX_TEXTURE_SCALE, MIN_SEGMENTS};
 use crate::scene::palette::SceneColors;
@@ -58,35 +57,15 @@ fn object(keys: &mut Keys<'_>, o: &mut ObjectSpec) {
         o.segments = Shape::usual_segments(o.shape.as_ref());
     }
     keys.key("name", &TEXT, &mut o.name);
-    let [is_points, is_file] = match o.shape.as_ref().map_or(ShapeData::None, Shape::data) {
-        ShapeData::Points(_) => [true, false],
-        ShapeData::Path(_) => [false, true],
-        ShapeData::None => [false, false],
-    };
-    keys.field(
-        "shape",
-        o.shape.is_some(),
-        &mut o.shape,
-        |_, _| {},
-        |shape| shape.as_ref().map_or("", Shape::name).into(),
-    );
-    keys.field(
-        "points",
-        is_points,
-        &mut o.shape,
-        |_, _| {},
-        |shape| match shape.as_ref().map(Shape::data) {
-            Some(ShapeData::Points(points)) => write_vectors(points),
-            _ => write_vectors(&[]),
-        },
-    );
-    keys.field(
-        "path",
-        is_file,
-        &mut o.shape,
-        |_, _| {},
-        |shape| quoted(shape.as_ref().and_then(Shape::mesh_file).unwrap_or_default()),
-    );
+    keys.list_also(&["shape", "points", "path"]);
+    if let Some(shape) = &o.shape {
+        keys.put("shape", || shape.name().into());
+        match shape.data() {
+            ShapeData::Points(points) => keys.put("points", || write_vectors(points)),
+            ShapeData::Path(path) => keys.put("path", || quoted(path)),
+            ShapeData::None => {}
+        }
+    }
     keys.option("parent", &TEXT, &mut o.parent);
     keys.placed("translate", DVec3::ZERO, &VECTOR, &mut o.translate);
     keys.placed("rotate", DVec3::ZERO, &ANGLES, &mut o.rotate);

@@ -8,8 +8,9 @@ use crate::camera::{ImageSize, Projection, Viewport};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::points::may_be_named;
 use crate::figure::read::Section;
-use crate::figure::value::write_told;
-use crate::figure::value::{ANGLE, POSITIVE, SWITCH, TEXT, VECTOR, angle_in, integer_in, integers, number_in};
+use crate::figure::value::{
+    ANGLE, POSITIVE, SWITCH, TEXT, VECTOR, angle_in, integer_in, integers, number_in, write_told,
+};
 use crate::figure::words::{
     self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PICTURES, PROJECTIONS, SCREEN_MATRICES,
     SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
