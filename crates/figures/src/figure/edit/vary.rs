@@ -24,9 +24,12 @@ pub fn varied(figure: &Figure, key: &str, value: &str) -> Result<Figure, FigureE
 /// As for [`varied`].
 pub fn varied_together(figure: &Figure, keys: &[(&str, &str)]) -> Result<Figure, FigureError> {
     let mut sections: Vec<&str> = keys.iter().map(|(key, _)| section_of(key)).collect();
-    // These refer to each other by names.
-    if sections.iter().any(|section| matches!(*section, "camera" | "cameras")) {
-        sections.extend(["camera", "cameras", "compare"]);
+    // The names of cameras differ, and a comparison refers to one.
+    if sections.contains(&"camera") && !figure.cameras.is_empty() {
+        sections.push("cameras");
+    }
+    if sections.contains(&"cameras") {
+        sections.push("compare");
     }
     let mut document = write::sections(figure, &sections, false);
     for (key, value) in keys {

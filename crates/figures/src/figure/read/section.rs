@@ -336,8 +336,11 @@ impl<'a> Section<'a> {
             return Vec::new();
         };
         let place = |item: &Item| item.span().map_or(self.at, |span| span.start);
-        let written =
-            |item: &Item| item.span().and_then(|span| self.text.get(span)).unwrap_or_default().trim().to_owned();
+        // Only a text has values as written.
+        let written = |item: &Item| {
+            let text = item.span().and_then(|span| self.text.get(span)).map(str::to_owned);
+            text.unwrap_or_else(|| item.to_string()).trim().to_owned()
+        };
         let entry = |path: String, item: &Item| (path, written(item), place(item));
         let entries =
             table.iter().flat_map(|(name, item)| match item.as_table_like().filter(|_| !name.contains('.')) {
