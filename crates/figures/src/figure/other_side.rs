@@ -2,9 +2,9 @@
 
 use toml_edit::{Item, TableLike, Value};
 
-use super::edit::{NOTHING, value_of, varied_together};
+use super::edit::{value_of, varied_together};
 use super::error::{Allowed, FigureError, Problem};
-use super::value::quoted;
+use super::value::{NOTHING, quoted};
 use super::write::sections;
 use super::{Comparison, Figure};
 use crate::camera::{Camera, Convention};

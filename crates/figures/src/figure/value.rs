@@ -25,6 +25,9 @@ const fn values<V>(allowed: Allowed, read: Read<V>, write: fn(&V) -> Value) -> V
     Values { allowed, read, write }
 }
 
+/// A value that removes its key, for a file that has to give one.
+pub(super) const NOTHING: &str = "\"\"";
+
 /// Finite numbers.
 pub static NUMBER: Values<f64> = values(Allowed::Number, |v, _| number(v, Dimension::Number), write_number);
 

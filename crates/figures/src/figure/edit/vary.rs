@@ -4,10 +4,8 @@ use toml_edit::{DocumentMut, InlineTable, Item, TableLike, Value};
 
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::keys::remove_rivals;
+use crate::figure::value::NOTHING;
 use crate::figure::{Figure, FigureError, Show, read, write};
-
-/// A value that removes its key, for a file that has to give one.
-pub(in crate::figure) const NOTHING: &str = "\"\"";
 
 /// The figure with one key set to a TOML value: `style.shading`, `"flat"`, or a part of one, `show.step.at`, `2.5`. A
 /// value that's a plain word may lack its quotes. An empty one removes the key.

@@ -3,10 +3,9 @@
 use toml_edit::{Array, InlineTable, Item, Value};
 
 use super::{Keys, UNIT, keys_of};
-use crate::figure::edit::NOTHING;
 use crate::figure::error::{Allowed, FigureError, Problem};
 use crate::figure::read::{Fault, Section, parse};
-use crate::figure::value::{TEXT, number_in, quoted};
+use crate::figure::value::{NOTHING, TEXT, number_in, quoted};
 use crate::figure::{Comparison, NamedCamera, near};
 use crate::limits::MAX_COMPARED_KEYS;
 use crate::sanitize;
