@@ -6,7 +6,7 @@ use camera_lab::camera::{
     Amount, AngleUnit, Camera, Convention, Freedom, OPERATIONS, Operation, Order, Program, Toward, WorldUp,
 };
 use camera_lab::exercises::Mistake;
-use camera_lab::figure::read;
+use camera_lab::figure::{KEYS, read};
 use camera_lab_words::learn::exercises;
 use camera_lab_words::{Lang, messages, window};
 
@@ -197,6 +197,10 @@ fn the_figure_file_of_the_guides_can_be_read() {
         if let Err(error) = read::parse(&scene) {
             panic!("{lang:?}: line {}: {}", error.line, messages::figure(lang, &error));
         }
+        let words: BTreeSet<&str> = example.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).collect();
+        let name = |key: &'static str| key.rsplit('.').next().unwrap_or(key);
+        let missing: Vec<&str> = KEYS.iter().map(|key| name(key)).filter(|key| !words.contains(key)).collect();
+        assert!(missing.is_empty(), "{lang:?}: the example lacks {missing:?}");
     }
 }
 

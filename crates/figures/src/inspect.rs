@@ -14,6 +14,7 @@ use crate::figure::words::{self, PROJECTIONS};
 use crate::figure::{Figure, NamedCamera};
 use crate::geometry::Plane;
 use crate::sanitize;
+pub use quantity::{BasisReport, LensReport, PlanesReport, PointReport, RayReport, SidesReport, WindowReport};
 
 /// The output of `camera-lab inspect`. The order of the fields is the order of the keys.
 ///
@@ -124,35 +125,11 @@ impl NamedCameraReport {
     }
 }
 
-/// l, r, b, t.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct SidesReport {
-    /// l
-    pub left: f64,
-    /// r
-    pub right: f64,
-    /// b
-    pub bottom: f64,
-    /// t
-    pub top: f64,
-}
-
 impl From<ViewWindow> for SidesReport {
     fn from(window: ViewWindow) -> Self {
         let ViewWindow { left, right, bottom, top } = window.map(unsigned);
         Self { left, right, bottom, top }
     }
-}
-
-/// The VRC.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct BasisReport {
-    /// **u**
-    pub u: [f64; 3],
-    /// **v**
-    pub v: [f64; 3],
-    /// **n**
-    pub n: [f64; 3],
 }
 
 impl From<Basis> for BasisReport {
@@ -161,58 +138,10 @@ impl From<Basis> for BasisReport {
     }
 }
 
-/// The view window.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct WindowReport {
-    /// l
-    pub left: f64,
-    /// r
-    pub right: f64,
-    /// b
-    pub bottom: f64,
-    /// t
-    pub top: f64,
-    /// W
-    pub width: f64,
-    /// H
-    pub height: f64,
-    /// A
-    pub aspect: f64,
-}
-
-/// The lens in other words than θ.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct LensReport {
-    /// The angle that the window spans from left to right, degrees.
-    pub horizontal_angle: f64,
-    /// The angle from corner to corner, degrees.
-    pub diagonal_angle: f64,
-    /// `f_x` and `f_y`, in pixels of the image.
-    pub focal_length_pixels: [f64; 2],
-}
-
 impl From<LensNumbers> for LensReport {
     fn from(LensNumbers { horizontal_angle, diagonal_angle, focal_length_pixels }: LensNumbers) -> Self {
         Self { horizontal_angle, diagonal_angle, focal_length_pixels }
     }
-}
-
-/// The planes of the view volume in the world: \[a, b, c, d\] with a x + b y + c z + d ≥ 0 inside, and (a, b, c) of
-/// length 1.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct PlanesReport {
-    /// Through C and l.
-    pub left: [f64; 4],
-    /// Through C and r.
-    pub right: [f64; 4],
-    /// Through C and b.
-    pub bottom: [f64; 4],
-    /// Through C and t.
-    pub top: [f64; 4],
-    /// At F.
-    pub near: [f64; 4],
-    /// At B.
-    pub far: [f64; 4],
 }
 
 impl PlanesReport {
@@ -222,39 +151,6 @@ impl PlanesReport {
         let [left, right, bottom, top, near, far] = camera.volume_planes().map(four);
         Self { left, right, bottom, top, near, far }
     }
-}
-
-/// One point in every space. The values after the division are `null` if W = 0.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct PointReport {
-    /// World.
-    pub world: [f64; 3],
-    /// VRC.
-    pub view: [f64; 3],
-    /// Clip coordinates.
-    pub clip: [f64; 4],
-    /// NDC.
-    pub ndc: Option<[f64; 3]>,
-    /// (x_p, y_p).
-    pub window: Option<[f64; 2]>,
-    /// (i, j).
-    pub pixel: Option<[Whole; 2]>,
-    /// (X, Y, Z).
-    pub viewport: Option<(Whole, Whole, f64)>,
-    /// |X|, |Y|, |Z| ≤ W (or the bounds of the convention for Z) and W > 0; `None` if W = 0 (such a point is not
-    /// inside).
-    pub inside: Option<bool>,
-}
-
-/// The ray through the centre of a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct RayReport {
-    /// (i, j).
-    pub pixel: [i64; 2],
-    /// Its origin, world.
-    pub origin: [f64; 3],
-    /// Unit vector, world.
-    pub direction: [f64; 3],
 }
 
 /// A warning in English, with its code.

@@ -44,28 +44,17 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("torus", "donut"),
 ];
 
-/// Sections and their keys, for keys in the wrong section.
-const HOMES: &[(&str, &str)] = &[
-    ("camera", "position focal_point view_up projection view_angle aspect near far window"),
-    ("image", "width height undistorted photograph photograph_opacity"),
-    ("viewport", "depth_near depth_far"),
-    ("scene", "preset objects lights"),
-    ("style", "shading visibility hidden_lines antialias theme depth_format"),
-    ("reveal", "depth outside clipping divide_first culled vanishing single_precision"),
-    ("screen", "pictures arrangement panel"),
-    ("compare", "wiper differences"),
-];
-
-/// The entry of `known` that `word` probably means, or the section where the key belongs.
-pub(super) fn key(word: &str, known: &[&str]) -> Option<String> {
+/// The entry of `known` that `word` probably means, or its section if it has another `home`.
+pub(super) fn key(word: &str, known: &[&str], home: impl Fn(&str) -> Option<String>) -> Option<String> {
+    let lower = word.to_lowercase();
     known
         .iter()
         .find(|key| key.eq_ignore_ascii_case(word))
         .map(|key| (*key).to_owned())
         .or_else(|| synonym(word, known))
-        .or_else(|| home(&word.to_lowercase()))
+        .or_else(|| home(&lower))
         .or_else(|| by_letters(word, known.iter().copied()))
-        .or_else(|| SYNONYMS.iter().find(|(_, words)| has(words, &word.to_lowercase())).and_then(|(key, _)| home(key)))
+        .or_else(|| SYNONYMS.iter().find(|(_, words)| has(words, &lower)).and_then(|(key, _)| home(key)))
 }
 
 /// The entry of `known` that `word` probably means.
@@ -82,10 +71,6 @@ pub(super) fn name(name: &str, known: &[&str]) -> Option<String> {
 fn synonym(word: &str, known: &[&str]) -> Option<String> {
     let word = word.to_lowercase().replace('-', "_");
     SYNONYMS.iter().find(|(key, words)| has(words, &word) && known.contains(key)).map(|(key, _)| (*key).to_owned())
-}
-
-fn home(key: &str) -> Option<String> {
-    HOMES.iter().find(|(_, keys)| has(keys, key)).map(|(section, _)| format!("[{section}] {key}"))
 }
 
 fn has(words: &str, word: &str) -> bool {
@@ -110,12 +95,14 @@ pub(super) fn by_letters<'a>(word: &str, known: impl Iterator<Item = &'a str>) -
 mod tests {
     use super::*;
 
+    use crate::figure::keys::home;
+
     const CAMERA: &[&str] = &["position", "focal_point", "view_up", "view_angle", "aspect", "near", "far"];
 
     #[test]
     fn other_programs_names_lead_to_ours() {
         for (theirs, ours) in [("fov", "view_angle"), ("eye", "position"), ("up", "view_up"), ("zNear", "near")] {
-            assert_eq!(key(theirs, CAMERA).as_deref(), Some(ours));
+            assert_eq!(key(theirs, CAMERA, home).as_deref(), Some(ours));
         }
     }
 
@@ -124,21 +111,21 @@ mod tests {
         for (typed, ours) in
             [("focalpoint", "focal_point"), ("apsect", "aspect"), ("View_Up", "view_up"), ("nera", "near")]
         {
-            assert_eq!(key(typed, CAMERA).as_deref(), Some(ours));
+            assert_eq!(key(typed, CAMERA, home).as_deref(), Some(ours));
         }
     }
 
     #[test]
     fn a_key_in_the_wrong_section_is_sent_home() {
-        assert_eq!(key("theme", CAMERA).as_deref(), Some("[style] theme"));
-        assert_eq!(key("fov", &["width", "height"]).as_deref(), Some("[camera] view_angle"));
+        assert_eq!(key("theme", CAMERA, home).as_deref(), Some("[style] theme"));
+        assert_eq!(key("fov", &["width", "height"], home).as_deref(), Some("[camera] view_angle"));
     }
 
     #[test]
     fn what_resembles_nothing_gets_no_suggestion() {
-        assert_eq!(key("banana", CAMERA), None);
-        assert_eq!(key("", CAMERA), None);
-        assert_eq!(key(&"near".repeat(100_000), CAMERA), None);
+        assert_eq!(key("banana", CAMERA, home), None);
+        assert_eq!(key("", CAMERA, home), None);
+        assert_eq!(key(&"near".repeat(100_000), CAMERA, home), None);
     }
 
     #[test]

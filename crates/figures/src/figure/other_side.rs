@@ -2,12 +2,12 @@
 
 use toml_edit::{Item, TableLike, Value};
 
-use super::edit::{Difference, NOTHING, difference, value_of, varied_whole};
+use super::edit::{value_of, varied_together};
 use super::error::{Allowed, FigureError, Problem};
-use super::write::{document, quoted};
-use super::{Comparison, Figure, Photograph, WorldPart};
-use crate::appearance::Style;
-use crate::camera::{Camera, Convention, Ndc};
+use super::value::{NOTHING, quoted};
+use super::write::sections;
+use super::{Comparison, Figure};
+use crate::camera::{Camera, Convention};
 use crate::limits::MAX_COMPARED_KEYS;
 use crate::sanitize::escaped;
 
@@ -34,25 +34,19 @@ impl Comparison {
 
     /// A comparison with another figure of the same scene: its whole camera, and its styles that differ.
     pub fn with_figure(self, figure: &Figure, other: &Figure) -> Self {
-        let document = document(&Figure { camera: other.camera, lens: other.lens, ..Figure::default() });
-        let camera = document.get("camera").and_then(Item::as_table_like);
-        let written = camera.into_iter().flat_map(TableLike::iter).filter_map(|(key, item)| {
-            let value = item.as_value()?.to_string().trim().to_owned();
-            Some((format!("camera.{key}"), value))
-        });
-        let mut with: Vec<(String, String)> = written.collect();
+        let written = |section: &str, of: &Figure| -> Vec<(String, String)> {
+            let document = sections(of, &[section], false);
+            let keys = document.get(section).and_then(Item::as_table_like).into_iter().flat_map(TableLike::iter);
+            let value = |item: &Item| Some(item.as_value()?.to_string().trim().to_owned());
+            keys.filter_map(|(key, item)| Some((format!("{section}.{key}"), value(item)?))).collect()
+        };
+        let mut with = written("camera", &Figure { camera: other.camera, lens: other.lens, ..Figure::default() });
         if other.camera.window.is_none() {
             with.push(("camera.window".to_owned(), NOTHING.to_owned()));
         }
         // Both sides show one scene, whose colours come from a theme.
-        let bare = |of: &Figure| Figure { style: Style { theme: figure.style.theme, ..of.style }, ..Figure::default() };
-        let Difference { changed, .. } = difference(Some(&bare(figure)), &bare(other));
-        let style = changed.get("style").and_then(Item::as_table_like);
-        let style = style
-            .into_iter()
-            .flat_map(TableLike::iter)
-            .filter_map(|(key, item)| Some((format!("style.{key}"), item.as_value()?.to_string().trim().to_owned())));
-        with.extend(style);
+        let own = written("style", figure);
+        with.extend(written("style", other).into_iter().filter(|key| key.0 != "style.theme" && !own.contains(key)));
         with.truncate(MAX_COMPARED_KEYS);
         Self { with, ops: Vec::new(), ..self }
     }
@@ -79,7 +73,8 @@ impl Comparison {
     pub fn other_side(&self, figure: &Figure) -> Result<OtherSide, FigureError> {
         let bare =
             Figure { observers: figure.observers, show: figure.show.clone(), compare: None, ..figure.without_scene() };
-        let mut other = varied_whole(&bare, self.with.iter().map(|(key, value)| (&**key, &**value)))?;
+        let keys: Vec<(&str, &str)> = self.with.iter().map(|(key, value)| (&**key, &**value)).collect();
+        let mut other = varied_together(&bare, &keys)?;
         if let Some(name) = &self.camera {
             let index = other.cameras.iter().position(|camera| camera.name == *name);
             let unknown = || FigureError {
@@ -95,15 +90,10 @@ impl Comparison {
             camera = operation.apply(&camera, Convention::default()).map_err(refused)?;
         }
         other.camera = *camera.parameters();
-        let documents = [&bare, &other].map(document);
         let values = self.with.iter().map(|(key, _)| {
             let written =
                 |value: Value| value.as_str().map_or_else(|| value.to_string().trim().to_owned(), str::to_owned);
-            let value = |document| {
-                let value = value_of(document, key).map(written);
-                value.or_else(|| unwritten(key).map(|value| value.trim_matches('"').to_owned()))
-            };
-            (key.clone(), documents.each_ref().map(value))
+            (key.clone(), [&bare, &other].map(|figure| any_value(figure, key).map(written)))
         });
         let (values, is_another) = (values.collect(), other.camera != bare.camera);
         Ok(OtherSide { figure: other, camera: is_another.then_some(camera), values })
@@ -119,11 +109,8 @@ impl Comparison {
             return Some(swapped);
         }
         let other = self.other_side(figure).ok().filter(|_| self.ops.is_empty())?;
-        let document = document(figure);
-        let own = |(key, _): &(String, String)| {
-            let value = value_of(&document, key).map(|value| value.to_string().trim().to_owned());
-            Some((key.clone(), value.or_else(|| unwritten(key))?))
-        };
+        let own =
+            |(key, _): &(String, String)| Some((key.clone(), any_value(figure, key)?.to_string().trim().to_owned()));
         let with: Option<Vec<_>> = if self.is_of_camera() {
             // θ may be written in another way on the other side.
             Some(Self::default().with_figure(&other.figure, figure).with)
@@ -137,24 +124,12 @@ impl Comparison {
 
 /// The value that a figure has for a key, without quotes.
 fn own_value(figure: &Figure, key: &str) -> Option<String> {
-    let bare = Figure { show: figure.show.clone(), ..figure.without_scene() };
-    let written = value_of(&document(&bare), key).map(|value| value.to_string());
-    Some(written.or_else(|| unwritten(key))?.trim().trim_matches('"').to_owned())
+    Some(any_value(figure, key)?.to_string().trim().trim_matches('"').to_owned())
 }
 
-/// The value of a key that isn't written in a figure, if there is one.
-fn unwritten(key: &str) -> Option<String> {
-    Some(match key {
-        "camera.window" => NOTHING.to_owned(),
-        "image.photograph_opacity" => Photograph::USUAL_OPACITY.to_string(),
-        "style.depth_format" => "\"f32-reversed\"".to_owned(),
-        "show.ndc" => format!("\"{}\"", Ndc::default().name()),
-        "reveal.outside" | "reveal.texture" | "reveal.shadows" => return None,
-        _ if key.starts_with("reveal.") || key == "image.undistorted" => "false".to_owned(),
-        "world.section" | "world.dimensions" => "false".to_owned(),
-        _ if WorldPart::ALL.iter().any(|(_, part)| key.strip_prefix("world.") == Some(part)) => "true".to_owned(),
-        _ => return None,
-    })
+/// The value that a figure has for a key, written or not. A window that belongs to the angle is no value.
+fn any_value(figure: &Figure, key: &str) -> Option<Value> {
+    value_of(figure, key, true).or_else(|| (key == "camera.window").then(|| quoted("")))
 }
 
 #[cfg(test)]

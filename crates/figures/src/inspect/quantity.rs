@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use serde_json::Value;
+use serde::Serialize;
 
-use super::Report;
+use super::{CameraReport, Report, Whole};
 use crate::camera::ParameterKey;
 
 /// Numbers of a [`Report`] that belong together. Points and rays are counted from 0, in the order of the request.
@@ -36,8 +36,10 @@ pub enum Quantity {
     Ray(usize, RayNumber),
 }
 
-macro_rules! named {
-    ($(#[$doc:meta])* $name:ident { $($(#[$of:meta])* $variant:ident = $word:literal),* $(,)? }) => {
+/// Numbers of one part of a report: each with its key in the JSON of `inspect`, and its numbers row by row. `None` if the
+/// report has none.
+macro_rules! numbers {
+    ($(#[$doc:meta])* $name:ident of $report:ident { $($(#[$of:meta])* $variant:ident = $field:ident => $numbers:expr),* $(,)? }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum $name { $($(#[$of])* $variant),* }
@@ -48,139 +50,176 @@ macro_rules! named {
 
             /// Its key in the JSON of `inspect`.
             pub const fn name(self) -> &'static str {
-                match self { $(Self::$variant => $word),* }
+                match self { $(Self::$variant => stringify!($field)),* }
             }
 
             fn of_name(name: &str) -> Option<Self> {
                 Self::ALL.iter().copied().find(|one| one.name() == name)
             }
+
+            fn numbers(self, of: &$report) -> Option<Vec<f64>> {
+                let numbers: fn(&$report) -> Option<Vec<f64>> = match self { $(Self::$variant => $numbers),* };
+                numbers(of)
+            }
         }
     };
 }
 
-named! {
+/// A part of a report, and its numbers.
+macro_rules! part {
+    (
+        $(#[$doc:meta])* $report:ident,
+        $(#[$about:meta])* $name:ident {
+            $($(#[$of:meta])* $variant:ident = $field:ident: $type:ty => $numbers:expr),* $(,)?
+        }
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+        pub struct $report { $($(#[$of])* pub $field: $type),* }
+
+        numbers! { $(#[$about])* $name of $report { $($(#[$of])* $variant = $field => $numbers),* } }
+    };
+}
+
+part! {
+    /// l, r, b, t.
+    SidesReport,
     /// A side of the view window.
     Side {
         /// l
-        Left = "left",
+        Left = left: f64 => |window| Some(vec![window.left]),
         /// r
-        Right = "right",
+        Right = right: f64 => |window| Some(vec![window.right]),
         /// b
-        Bottom = "bottom",
+        Bottom = bottom: f64 => |window| Some(vec![window.bottom]),
         /// t
-        Top = "top",
+        Top = top: f64 => |window| Some(vec![window.top]),
     }
 }
 
-named! {
+part! {
+    /// The planes of the view volume in the world: \[a, b, c, d\] with a x + b y + c z + d ≥ 0 inside, and (a, b, c) of
+    /// length 1.
+    PlanesReport,
     /// A plane of the view volume, in the order of `Camera::volume_planes`.
     VolumePlane {
         /// Through C and l.
-        Left = "left",
+        Left = left: [f64; 4] => |planes| Some(planes.left.to_vec()),
         /// Through C and r.
-        Right = "right",
+        Right = right: [f64; 4] => |planes| Some(planes.right.to_vec()),
         /// Through C and b.
-        Bottom = "bottom",
+        Bottom = bottom: [f64; 4] => |planes| Some(planes.bottom.to_vec()),
         /// Through C and t.
-        Top = "top",
+        Top = top: [f64; 4] => |planes| Some(planes.top.to_vec()),
         /// At F.
-        Near = "near",
+        Near = near: [f64; 4] => |planes| Some(planes.near.to_vec()),
         /// At B.
-        Far = "far",
+        Far = far: [f64; 4] => |planes| Some(planes.far.to_vec()),
     }
 }
 
-named! {
+part! {
+    /// The VRC.
+    BasisReport,
     /// An axis of the VRC.
     BasisAxis {
         /// **u**
-        U = "u",
+        U = u: [f64; 3] => |basis| Some(basis.u.to_vec()),
         /// **v**
-        V = "v",
+        V = v: [f64; 3] => |basis| Some(basis.v.to_vec()),
         /// **n**
-        N = "n",
+        N = n: [f64; 3] => |basis| Some(basis.n.to_vec()),
     }
 }
 
-named! {
+part! {
+    /// The view window.
+    WindowReport,
     /// A number of the view window.
     WindowNumber {
         /// l
-        Left = "left",
+        Left = left: f64 => |window| Some(vec![window.left]),
         /// r
-        Right = "right",
+        Right = right: f64 => |window| Some(vec![window.right]),
         /// b
-        Bottom = "bottom",
+        Bottom = bottom: f64 => |window| Some(vec![window.bottom]),
         /// t
-        Top = "top",
+        Top = top: f64 => |window| Some(vec![window.top]),
         /// W
-        Width = "width",
+        Width = width: f64 => |window| Some(vec![window.width]),
         /// H
-        Height = "height",
-        /// W / H
-        Aspect = "aspect",
+        Height = height: f64 => |window| Some(vec![window.height]),
+        /// A
+        Aspect = aspect: f64 => |window| Some(vec![window.aspect]),
     }
 }
 
-named! {
+part! {
+    /// The lens in other words than θ.
+    LensReport,
     /// A number of the lens.
     LensNumber {
-        /// From left to right.
-        HorizontalAngle = "horizontal_angle",
-        /// From corner to corner.
-        DiagonalAngle = "diagonal_angle",
-        /// `f_x` and `f_y`.
-        FocalLengthPixels = "focal_length_pixels",
+        /// The angle that the window spans from left to right, degrees.
+        HorizontalAngle = horizontal_angle: f64 => |lens| Some(vec![lens.horizontal_angle]),
+        /// The angle from corner to corner, degrees.
+        DiagonalAngle = diagonal_angle: f64 => |lens| Some(vec![lens.diagonal_angle]),
+        /// `f_x` and `f_y`, in pixels of the image.
+        FocalLengthPixels = focal_length_pixels: [f64; 2] => |lens| Some(lens.focal_length_pixels.to_vec()),
     }
 }
 
-named! {
+numbers! {
     /// A matrix of a report, or an inverse.
-    ReportMatrix {
+    ReportMatrix of Report {
         /// M_v
-        View = "view_matrix",
+        View = view_matrix => |report| Some(report.view_matrix.concat()),
         /// M_p
-        Projection = "projection_matrix",
+        Projection = projection_matrix => |report| Some(report.projection_matrix.concat()),
         /// M_p M_v
-        ViewProjection = "view_projection_matrix",
+        ViewProjection = view_projection_matrix => |report| Some(report.view_projection_matrix.concat()),
         /// The inverse of M_v.
-        InverseView = "inverse_view_matrix",
+        InverseView = inverse_view_matrix => |report| Some(report.inverse_view_matrix.concat()),
         /// The inverse of M_p.
-        InverseProjection = "inverse_projection_matrix",
+        InverseProjection = inverse_projection_matrix => |report| Some(report.inverse_projection_matrix.concat()),
     }
 }
 
-named! {
+part! {
+    /// One point in every space. The values after the division are `null` if W = 0.
+    PointReport,
     /// A point in one of its spaces.
     PointNumber {
         /// World.
-        World = "world",
-        /// View space.
-        View = "view",
+        World = world: [f64; 3] => |point| Some(point.world.to_vec()),
+        /// VRC.
+        View = view: [f64; 3] => |point| Some(point.view.to_vec()),
         /// Clip coordinates.
-        Clip = "clip",
+        Clip = clip: [f64; 4] => |point| Some(point.clip.to_vec()),
         /// NDC.
-        Ndc = "ndc",
-        /// (x_p, y_p) on the view window.
-        Window = "window",
-        /// The pixel (i, j).
-        Pixel = "pixel",
-        /// (X, Y, Z) of the viewport.
-        Viewport = "viewport",
-        /// 1 inside the view volume, 0 outside.
-        Inside = "inside",
+        Ndc = ndc: Option<[f64; 3]> => |point| Some(point.ndc?.to_vec()),
+        /// (x_p, y_p).
+        Window = window: Option<[f64; 2]> => |point| Some(point.window?.to_vec()),
+        /// (i, j).
+        Pixel = pixel: Option<[Whole; 2]> => |point| Some(point.pixel?.map(|whole| whole.0).to_vec()),
+        /// (X, Y, Z).
+        Viewport = viewport: Option<(Whole, Whole, f64)> => |point| point.viewport.map(|(x, y, z)| vec![x.0, y.0, z]),
+        /// |X|, |Y|, |Z| ≤ W (or the bounds of the convention for Z) and W > 0; `None` if W = 0 (such a point is not
+        /// inside).
+        Inside = inside: Option<bool> => |point| Some(vec![f64::from(u8::from(point.inside?))]),
     }
 }
 
-named! {
+part! {
+    /// The ray through the centre of a pixel.
+    RayReport,
     /// The ray through a pixel.
     RayNumber {
-        /// The pixel (i, j).
-        Pixel = "pixel",
-        /// O_R
-        Origin = "origin",
-        /// A unit vector.
-        Direction = "direction",
+        /// (i, j).
+        Pixel = pixel: [i64; 2] => |ray| Some(ray.pixel.map(|whole| whole as f64).to_vec()),
+        /// Its origin, world.
+        Origin = origin: [f64; 3] => |ray| Some(ray.origin.to_vec()),
+        /// Unit vector, world.
+        Direction = direction: [f64; 3] => |ray| Some(ray.direction.to_vec()),
     }
 }
 
@@ -200,10 +239,22 @@ fn column(values: impl IntoIterator<Item = f64>) -> Numbers {
 impl Quantity {
     /// Its numbers in a report; `None` if the report has none. A point behind the eye has no NDC.
     pub fn of(self, report: &Report) -> Option<Numbers> {
-        let json = serde_json::to_value(report).ok()?;
-        let found = json.pointer(&format!("/{}", self.to_string().replace('.', "/")))?;
+        let entries = match self {
+            Self::Camera(key) => of_camera(&report.camera, key),
+            Self::CameraSide(side) => side.numbers(report.camera.window.as_ref()?),
+            Self::Direction => Some(report.dop.to_vec()),
+            Self::Distance => Some(vec![report.distance]),
+            Self::Axis(axis) => axis.numbers(&report.basis),
+            Self::Window(number) => number.numbers(&report.window),
+            Self::Lens(number) => number.numbers(report.lens.as_ref()?),
+            Self::Matrix(matrix) => matrix.numbers(report),
+            Self::Corner(index) => Some(report.volume_corners.get(index)?.to_vec()),
+            Self::Plane(plane) => plane.numbers(&report.planes),
+            Self::Point(index, number) => number.numbers(report.points.get(index)?),
+            Self::Ray(index, number) => number.numbers(report.rays.get(index)?),
+        };
         let columns = if matches!(self, Self::Matrix(_)) { 4 } else { 1 };
-        Some(Numbers { columns, entries: numbers(found)? })
+        Some(Numbers { columns, entries: entries? })
     }
 
     /// The quantity of a path. The rest of the path leads to entries of it.
@@ -230,13 +281,19 @@ impl Quantity {
     }
 }
 
-/// The numbers of a JSON value, row by row. 1 stands for true.
-fn numbers(value: &Value) -> Option<Vec<f64>> {
-    match value {
-        Value::Array(rows) => rows.iter().map(numbers).collect::<Option<Vec<_>>>().map(|rows| rows.concat()),
-        Value::Bool(is) => Some(vec![f64::from(u8::from(*is))]),
-        single => single.as_f64().map(|number| vec![number]),
-    }
+/// The numbers of a parameter of the camera.
+fn of_camera(camera: &CameraReport, key: ParameterKey) -> Option<Vec<f64>> {
+    Some(match key {
+        ParameterKey::Position => camera.position.to_vec(),
+        ParameterKey::FocalPoint => camera.focal_point.to_vec(),
+        ParameterKey::ViewUp => camera.view_up.to_vec(),
+        ParameterKey::ViewAngle => vec![camera.view_angle],
+        ParameterKey::Height => vec![camera.height],
+        ParameterKey::Aspect => vec![camera.aspect],
+        ParameterKey::Near => vec![camera.near],
+        ParameterKey::Far => vec![camera.far],
+        ParameterKey::Window => return None,
+    })
 }
 
 /// The path in the JSON of `inspect`.
@@ -315,6 +372,8 @@ impl fmt::Display for QuantityPath {
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use serde_json::Value;
 
     use super::*;
     use crate::camera::{Convention, ViewWindow};

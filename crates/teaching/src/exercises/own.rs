@@ -15,6 +15,7 @@ use crate::exercises::mistakes::slip::Slip;
 use crate::figure::Bilingual;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{self, Fault, Section, at_most};
+use crate::figure::value::{POSITIVE, SWITCH, TEXT};
 use crate::figure::words::Words;
 use crate::figure::{Figure, FigureError};
 use crate::formula;
@@ -192,7 +193,7 @@ pub(crate) fn question(
 /// A name that's valid in a command line and in a file.
 pub(crate) fn name(section: &mut Section<'_>, key: &'static str) -> String {
     let allowed = || Allowed::Name { limit: MAX_EXERCISE_NAME };
-    let Some(text) = section.text(key) else {
+    let Some(text) = section.get(key, &TEXT) else {
         section.require(key, allowed());
         return String::new();
     };
@@ -245,8 +246,8 @@ fn ask(
 ) -> Option<Ask> {
     let text = told(&mut section, "text");
     let unit = section.choice("unit", UNITS);
-    let whole = section.is_present("whole").then(|| section.switch("whole"));
-    let tolerance = section.is_present("tolerance").then(|| section.positive("tolerance", 1.0));
+    let whole = section.is_present("whole").then(|| section.get("whole", &SWITCH).unwrap_or(false));
+    let tolerance = section.is_present("tolerance").then(|| section.get("tolerance", &POSITIVE).unwrap_or(1.0));
     let (choices, own_choices) = choices(&mut section);
     let ask = asked(&mut section, &name, subjects, choices, unit);
     let mistakes = section.sections("mistake", "[[ask.mistake]]");
@@ -289,7 +290,7 @@ fn asked(
     if section.is_present("place") {
         return place::asked(section, name, told, subject);
     }
-    let quantity = section.text("quantity");
+    let quantity = section.get("quantity", &TEXT);
     match (section.is_present("quantity"), section.is_present("answer")) {
         (true, true) => {
             section.refuse("answer", Allowed::Either("quantity", "answer"));
@@ -339,7 +340,7 @@ fn given(section: &mut Section<'_>, choices: &[String], unit: Option<Unit>) -> O
         return Some(ExpectedAnswer::Numbers(Table { rows: rows.len(), columns, entries: rows.concat() }));
     }
     let allowed = || Allowed::Choice(choices.to_vec());
-    let text = section.text("answer");
+    let text = section.get("answer", &TEXT);
     let found = text.and_then(|text| choices.iter().position(|choice| *choice == text));
     if found.is_none() && section.is_present("answer") {
         section.faults.retain(|fault| !matches!(fault.problem, Problem::Value { allowed: Allowed::Text, .. }));

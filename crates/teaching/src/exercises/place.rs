@@ -9,6 +9,7 @@ use super::value::Table;
 use crate::camera::{Place, Viewport};
 use crate::figure::error::Allowed;
 use crate::figure::read::Section;
+use crate::figure::value::{PIXEL_OF_IMAGE, TEXT, VECTOR};
 use crate::scene::ObjectPoint;
 
 /// The ways to give a point in a table. Each is the key of its value.
@@ -46,10 +47,10 @@ pub(super) fn asked(section: &mut Section<'_>, name: &str, told: &Subject, subje
 /// The place in pixels from the left edge and from the upper one.
 fn place(section: &mut Section<'_>, told: &Subject, subject: &Subject) -> Option<[f64; 2]> {
     if section.is_list("place") {
-        return subject.place(section.vector("place", DVec3::ZERO));
+        return subject.place(section.get("place", &VECTOR).unwrap_or_default());
     }
     if section.is_text("place") {
-        let name = section.text("place")?;
+        let name = section.get("place", &TEXT)?;
         return subject.place(subject.figure.points.iter().find(|point| point.name == name)?.position);
     }
     let label = section.name_of("place");
@@ -59,7 +60,7 @@ fn place(section: &mut Section<'_>, told: &Subject, subject: &Subject) -> Option
     let place = way.and_then(|way| match way {
         "object" => subject.place(of_object(&mut table, subject)?),
         // The centre of the pixel, whatever the camera is.
-        "pixel" => table.whole_pair::<i32>("pixel", 0).map(|pixel| pixel.map(|k| f64::from(k) + 0.5)),
+        "pixel" => table.get("pixel", &PIXEL_OF_IMAGE).map(|pixel| pixel.map(|k| f64::from(k) + 0.5)),
         way => subject.place(in_space(&mut table, way, told)?),
     });
     WAYS.into_iter().chain(["vertex"]).for_each(|key| table.skip(key));
@@ -70,7 +71,7 @@ fn place(section: &mut Section<'_>, told: &Subject, subject: &Subject) -> Option
 /// The point of an object in the figure that shows the answer.
 fn of_object(table: &mut Section<'_>, subject: &Subject) -> Option<DVec3> {
     table.require("vertex", Allowed::ObjectPoint);
-    let (object, vertex) = (table.text("object")?, table.text("vertex")?);
+    let (object, vertex) = (table.get("object", &TEXT)?, table.get("vertex", &TEXT)?);
     let point = vertex.parse().ok().and_then(|point: ObjectPoint| point.in_world(&subject.figure.scene, &object));
     if point.is_none() {
         table.refuse("vertex", Allowed::ObjectPoint);
@@ -81,8 +82,8 @@ fn of_object(table: &mut Section<'_>, subject: &Subject) -> Option<DVec3> {
 /// The world point with these coordinates in a space of the figure that the question describes.
 fn in_space(table: &mut Section<'_>, space: &str, told: &Subject) -> Option<DVec3> {
     let place = match space {
-        "view" => Place::View(table.vector("view", DVec3::ZERO)),
-        "ndc" => Place::Ndc(table.vector("ndc", DVec3::ZERO)),
+        "view" => Place::View(table.get("view", &VECTOR).unwrap_or_default()),
+        "ndc" => Place::Ndc(table.get("ndc", &VECTOR).unwrap_or_default()),
         _ => {
             let numbers = table.rows("clip", false)?.concat();
             let clip = DVec4::from_array(numbers.try_into().ok()?);

@@ -11,6 +11,7 @@ use crate::exercises::own::{bilingual_list, harmless, name, question, told};
 use crate::exercises::{self, Entry, Kind, Subject};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{Fault, Section, Stacked, at_most, parse_with, text_of};
+use crate::figure::value::{ANGLE, NUMBER, TEXT, integer_in, number_in};
 use crate::figure::{Bilingual, Figure, FigureError, update, varied};
 use crate::inspect::Report;
 use crate::inspect::quantity::QuantityPath;
@@ -51,7 +52,7 @@ fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
     let id = name(&mut root, "id");
     let title = line(&mut root, "title");
     let sentence = optional(&mut root, "sentence");
-    let minutes = root.optional_in("minutes", 0.5, MOST_MINUTES, 5.0);
+    let minutes = root.get("minutes", &number_in([0.5, MOST_MINUTES]));
     let aims = bilingual_list(&mut root, "aims");
     let plan = optional(&mut root, "plan");
     let [pretest, posttest] = ["pretest", "posttest"].map(|key| questions(&mut root, key, faults));
@@ -105,7 +106,7 @@ fn step(
     faults: &mut Vec<Fault>,
 ) -> Step {
     let title = line(&mut section, "title");
-    let seconds = section.number_in("seconds", 0.0, MOST_SECONDS, SECONDS);
+    let seconds = section.get("seconds", &number_in([0.0, MOST_SECONDS])).unwrap_or(SECONDS);
     let without = section.list("without", Allowed::Texts, |text| Some(text.to_owned()));
     if let Some(unknown) = without.iter().find(|path| !stacked.remove(path)) {
         let problem = Problem::Value { found: unknown.clone(), allowed: Allowed::KeyOfSteps };
@@ -155,7 +156,7 @@ fn see(section: &mut Section<'_>, figure: &Figure) -> See {
         if let Some(after) = after.filter(|_| !goal.way.is_empty()) {
             return See::Changed(Arc::new(after.figure));
         }
-    } else if section.text("see").is_some_and(|text| text == "next") {
+    } else if section.get("see", &TEXT).is_some_and(|text| text == "next") {
         return See::Next;
     }
     section.refuse("see", Allowed::Seen);
@@ -255,8 +256,8 @@ fn question_id(entry: &Entry, figure: &Figure) -> String {
 
 /// `exercise` and `seed`.
 fn exercise(section: &mut Section<'_>) -> Option<(String, u64)> {
-    let id = section.text("exercise");
-    let seed = section.integer("seed", 0, i64::MAX, 0_u64);
+    let id = section.get("exercise", &TEXT);
+    let seed = section.get("seed", &integer_in::<i64>([0, i64::MAX])).map_or(0, i64::cast_unsigned);
     if id.as_ref().is_some_and(|id| exercises::entry(id).is_none()) {
         section.refuse("exercise", Allowed::Exercise);
         return None;
@@ -299,7 +300,7 @@ fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut
 }
 
 fn condition(section: &mut Section<'_>, figure: &Figure, report: &Report) -> Option<Condition> {
-    let [seen, hidden, path, key] = ["seen", "hidden", "quantity", "key"].map(|key| section.text(key));
+    let [seen, hidden, path, key] = ["seen", "hidden", "quantity", "key"].map(|key| section.get(key, &TEXT));
     let angle = section.is_present("angle");
     let named = [angle, seen.is_some(), hidden.is_some(), path.is_some(), key.is_some()];
     match (seen, hidden, path, key) {
@@ -334,7 +335,7 @@ fn condition(section: &mut Section<'_>, figure: &Figure, report: &Report) -> Opt
 /// `least` and `most`, at least one of which is there.
 fn range(section: &mut Section<'_>, is_angle: bool) -> Option<Range> {
     let [least, most] = ["least", "most"].map(|key| {
-        section.is_present(key).then(|| if is_angle { section.angle(key, 0.0) } else { section.number(key, 0.0) })
+        section.is_present(key).then(|| section.get(key, if is_angle { &ANGLE } else { &NUMBER }).unwrap_or(0.0))
     });
     let range = Range { least, most };
     if range.is_everything() {
@@ -387,9 +388,10 @@ fn of_key(section: &mut Section<'_>, key: String, figure: &Figure) -> Option<Con
 }
 
 fn link(section: &mut Section<'_>) -> Option<Link> {
-    let [note, lesson] = ["note", "lesson"].map(|key| section.text(key));
+    let [note, lesson] = ["note", "lesson"].map(|key| section.get(key, &TEXT));
     let exercise = section.is_present("exercise").then(|| exercise(section)).flatten();
-    let step = section.integer("step", 1, MAX_LESSON_STEPS as i64, 1_usize) - 1;
+    let step =
+        section.get("step", &integer_in::<u32>([1, MAX_LESSON_STEPS as i64])).map_or(0, |step| step as usize - 1);
     if section.is_present("step") && lesson.is_none() {
         section.refuse("step", Allowed::Either("note, exercise", "lesson"));
     }

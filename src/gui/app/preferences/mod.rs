@@ -10,6 +10,7 @@ mod progress_tests;
 mod store;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
@@ -45,7 +46,8 @@ struct Key {
     apply: fn(&mut State, &Value),
 }
 
-/// A key whose value is in one place of the window: a switch, a word of a list, or a number within bounds.
+/// A key whose value is in one place of the window: a switch, a word of a list, a number within bounds, or what one
+/// expression writes of it and a function reads.
 macro_rules! key {
     ($name:literal, switch, $($place:tt)+) => {
         Key {
@@ -68,10 +70,20 @@ macro_rules! key {
             apply: |state, value| put(&mut state.$($place)+, number(value).filter(|v| $range.contains(v))),
         }
     };
+    ($name:literal, [$($place:tt)+], |$own:ident| $write:expr, $read:expr) => {
+        Key {
+            name: $name,
+            of: |state| {
+                let $own = &state.$($place)+;
+                $write.into()
+            },
+            apply: |state, value| put(&mut state.$($place)+, $read(value)),
+        }
+    };
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 42] = [
+const KEYS: &[Key] = &[
     key!("language", one of LANGUAGES, model.settings.lang),
     key!("theme", one of THEMES, model.settings.theme),
     Key {
@@ -120,23 +132,14 @@ const KEYS: [Key; 42] = [
         apply: |state, value| put(&mut state.model.layout.arrangement, word(ARRANGEMENTS, value)),
     },
     key!("pipeline", switch, model.layout.strip),
-    Key {
-        name: "digits",
-        of: |state| i64::try_from(state.model.settings.digits).unwrap_or_default().into(),
-        apply: |state, value| {
-            let digits = value.as_integer().and_then(|digits| usize::try_from(digits).ok());
-            put(&mut state.model.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
-        },
-    },
+    key!("digits", [model.settings.digits], |own| i64::try_from(*own).unwrap_or_default(), digits),
     // Width and height, whether it's maximized, and its corner if known. Empty if unknown.
-    Key {
-        name: "window",
-        of: |state| state.model.settings.window.map(window_numbers).unwrap_or_default().into_iter().collect(),
-        apply: |state, value| {
-            let numbers: Vec<i64> = value.as_array().into_iter().flatten().filter_map(Value::as_integer).collect();
-            put(&mut state.model.settings.window, window_of(&numbers).map(Some));
-        },
-    },
+    key!(
+        "window",
+        [model.settings.window],
+        |own| own.map(window_numbers).into_iter().flatten().collect::<Value>(),
+        window
+    ),
     key!("reduce_motion", switch, model.settings.reduce_motion),
     key!("numbers", switch, model.settings.numbers_open),
     key!("welcomed", switch, model.settings.welcomed),
@@ -151,11 +154,7 @@ const KEYS: [Key; 42] = [
         apply: |state, value| state.learn.done = lessons_done(pairs(value)),
     },
     key!("convention", one of CONVENTIONS, model.operations.convention),
-    Key {
-        name: "ndc",
-        of: |state| state.model.settings.conventions.ndc.name().into(),
-        apply: |state, value| put(&mut state.model.settings.conventions.ndc, ndc(value)),
-    },
+    key!("ndc", [model.settings.conventions.ndc], |own| own.name(), ndc),
     // Empty: with none.
     Key {
         name: "compared_ndc",
@@ -174,11 +173,7 @@ const KEYS: [Key; 42] = [
         },
     },
     // Empty: not known.
-    Key {
-        name: "page_address",
-        of: |state| state.page_address.as_str().into(),
-        apply: |state, value| put(&mut state.page_address, value.as_str().map(str::to_owned)),
-    },
+    key!("page_address", [page_address], |own| own.as_str(), text),
     // Empty: none.
     Key {
         name: "exercise_folder",
@@ -189,35 +184,13 @@ const KEYS: [Key; 42] = [
         },
     },
     key!("export_theme", one of THEMES, export.theme),
-    Key {
-        name: "export_times",
-        of: |state| i64::from(state.export.times.unwrap_or_default()).into(),
-        apply: |state, value| {
-            let times =
-                value.as_integer().and_then(|times| u32::try_from(times).ok()).filter(|times| (1..=4).contains(times));
-            put(&mut state.export.times, times.map(Some));
-        },
-    },
-    Key {
-        name: "export_format",
-        of: |state| state.export.format.ending().into(),
-        apply: |state, value| {
-            let format = value.as_str().and_then(|ending| PictureFormat::of(&Path::new("a").with_extension(ending)));
-            put(&mut state.export.format, format);
-        },
-    },
+    key!("export_times", [export.times], |own| i64::from(own.unwrap_or_default()), times),
+    key!("export_format", [export.format], |own| own.ending(), format),
     key!("export_on_paper", switch, export.on_paper),
     key!("export_transparent", switch, export.transparent),
     key!("export_crop", switch, export.crop),
     key!("export_outlines", switch, export.outlines),
-    Key {
-        name: "export_faces",
-        of: |state| state.export.faces.name().into(),
-        apply: |state, value| {
-            let faces = value.as_str().and_then(|name| Faces::ALL.into_iter().find(|faces| faces.name() == name));
-            put(&mut state.export.faces, faces);
-        },
-    },
+    key!("export_faces", [export.faces], |own| own.name(), faces),
     // Keys or operations with their values. Empty if there are none.
     Key {
         name: "family",
@@ -230,14 +203,12 @@ const KEYS: [Key; 42] = [
         apply: |state, value| set_family(&mut state.family, value, 1),
     },
     // 0 means as many as there is room for.
-    Key {
-        name: "family_columns",
-        of: |state| state.family.columns.and_then(|n| i64::try_from(n).ok()).unwrap_or_default().into(),
-        apply: |state, value| {
-            let columns = value.as_integer().and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= 8);
-            put(&mut state.family.columns, columns.map(|n| Some(n).filter(|n| *n > 0)));
-        },
-    },
+    key!(
+        "family_columns",
+        [family.columns],
+        |own| own.and_then(|n| i64::try_from(n).ok()).unwrap_or_default(),
+        columns
+    ),
     key!("family_parts", switch, family.parts),
     key!("export_width_cm", within PAPER_CM, export.paper.size[0]),
     key!("export_height_cm", within PAPER_CM, export.paper.size[1]),
@@ -257,6 +228,11 @@ const KEYS: [Key; 42] = [
 fn window_numbers(WindowPlace { at, size, maximized }: WindowPlace) -> Vec<i64> {
     let numbers = size.map(i64::from).into_iter().chain([i64::from(maximized)]);
     numbers.chain(at.into_iter().flatten().map(i64::from)).collect()
+}
+
+fn window(value: &Value) -> Option<Option<WindowPlace>> {
+    let numbers: Vec<i64> = value.as_array().into_iter().flatten().filter_map(Value::as_integer).collect();
+    window_of(&numbers).map(Some)
 }
 
 fn window_of(numbers: &[i64]) -> Option<WindowPlace> {
@@ -297,6 +273,35 @@ fn ndc(value: &Value) -> Option<Ndc> {
     Ndc::ALL.into_iter().find(|ndc| value.as_str() == Some(ndc.name()))
 }
 
+fn text(value: &Value) -> Option<String> {
+    value.as_str().map(str::to_owned)
+}
+
+/// A whole number in a range.
+fn whole(value: &Value, range: RangeInclusive<usize>) -> Option<usize> {
+    value.as_integer().and_then(|whole| usize::try_from(whole).ok()).filter(|whole| range.contains(whole))
+}
+
+fn digits(value: &Value) -> Option<usize> {
+    whole(value, 2..=EXACT_DIGITS)
+}
+
+fn times(value: &Value) -> Option<Option<u32>> {
+    whole(value, 1..=4).map(|times| u32::try_from(times).ok())
+}
+
+fn columns(value: &Value) -> Option<Option<usize>> {
+    whole(value, 0..=8).map(|columns| Some(columns).filter(|columns| *columns > 0))
+}
+
+fn format(value: &Value) -> Option<PictureFormat> {
+    PictureFormat::of(&Path::new("a").with_extension(value.as_str()?))
+}
+
+fn faces(value: &Value) -> Option<Faces> {
+    Faces::ALL.into_iter().find(|faces| value.as_str() == Some(faces.name()))
+}
+
 /// A number, even if it's written without a point.
 fn number(value: &Value) -> Option<f64> {
     #[expect(clippy::cast_precision_loss, reason = "what people write is far below 2⁵³")]
@@ -334,7 +339,7 @@ fn values(state: &State) -> impl Iterator<Item = (&'static str, String)> {
 /// Sets up a window as in the file. An invalid value counts as none.
 fn apply(document: &DocumentMut, state: &mut State) {
     let value = |key: &str| document.get(key).and_then(|item| item.as_value());
-    for key in &KEYS {
+    for key in KEYS {
         if let Some(value) = value(key.name) {
             (key.apply)(state, value);
         }

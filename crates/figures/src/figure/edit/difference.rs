@@ -4,7 +4,7 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use super::same;
 use crate::figure::Figure;
-use crate::figure::read::is_way_of_the_angle;
+use crate::figure::keys::is_way_of_the_angle;
 use crate::figure::write::document;
 
 /// The keys in which a figure differs from another.

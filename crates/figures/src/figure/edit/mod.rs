@@ -10,7 +10,7 @@ use super::read;
 use super::write::{document, to_toml};
 
 pub use difference::{Difference, difference};
-pub(super) use vary::{NOTHING, value_of, varied_whole};
+pub(super) use vary::value_of;
 pub use vary::{has, number_at, show_with, varied, varied_together};
 
 /// The figure file of `figure`, made from an earlier text by changing only the parts that differ. Comments, order and

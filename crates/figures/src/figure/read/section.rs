@@ -1,14 +1,13 @@
 //! One section of a figure file, whose keys are read one by one. The remaining keys are unknown.
 
-use glam::{DMat4, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 use toml_edit::{Item, TableLike, Value};
 
 use super::snippet;
-use super::value::{Refused, number, number_if, numbers, told, told_by, vector, whole_numbers};
-use crate::appearance::Rgba;
 use crate::expression::Dimension;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
+use crate::figure::value::{PAIR, Refused, Values, number, told, told_by, vector, whole_numbers};
 use crate::figure::words::{self, Words};
 
 /// A fault, and its place in the text.
@@ -39,6 +38,8 @@ pub struct Section<'a> {
     /// The start of the section.
     pub at: usize,
     asked: Vec<&'static str>,
+    /// The section of a key in the wrong one.
+    home: fn(&str) -> Option<String>,
     /// Faults of the keys read so far.
     pub faults: Vec<Fault>,
 }
@@ -46,7 +47,12 @@ pub struct Section<'a> {
 impl<'a> Section<'a> {
     /// The section of `table`. `label` precedes its keys in messages, and `at` is its start.
     pub fn new(text: &'a str, table: Option<&'a dyn TableLike>, label: &str, at: usize) -> Self {
-        Self { text, table, label: label.to_owned(), at, asked: Vec::new(), faults: Vec::new() }
+        Self { text, table, label: label.to_owned(), at, asked: Vec::new(), home: |_| None, faults: Vec::new() }
+    }
+
+    /// The section, whose messages know the sections of keys in a wrong place.
+    pub(in crate::figure) fn with_homes(self, home: fn(&str) -> Option<String>) -> Self {
+        Self { home, ..self }
     }
 
     /// The place of `key`; `None` if it's missing.
@@ -134,143 +140,35 @@ impl<'a> Section<'a> {
         self.item(key)
     }
 
-    /// The value that `read` gives at `key`. If it gives none, the default, and a fault.
-    fn read<T>(
-        &mut self,
-        key: &'static str,
-        default: T,
-        allowed: Allowed,
-        read: impl FnOnce(&Value) -> Option<T>,
-    ) -> T {
-        let Some(item) = self.ask(key) else { return default };
-        item.as_value().and_then(read).unwrap_or_else(|| {
-            self.refuse(key, allowed);
-            default
-        })
+    /// The value of a key; `None` if it's missing, and `None` with a fault if it isn't allowed.
+    pub fn get<V>(&mut self, key: &'static str, values: &Values<V>) -> Option<V> {
+        self.read(key, &values.allowed, |value| (values.read)(value, &values.allowed))
     }
 
-    /// Like [`Self::read`], for values with numbers in them.
-    fn read_numbers<T>(
+    /// The value that `read` gives at `key`. If it gives none, a fault.
+    fn read<V>(
         &mut self,
         key: &'static str,
-        default: T,
-        allowed: Allowed,
-        read: impl FnOnce(&Value) -> Result<T, Refused>,
-    ) -> T {
-        let Some(item) = self.ask(key) else { return default };
-        match item.as_value().map_or(Err(Refused::Value), read) {
-            Ok(value) => return value,
-            Err(Refused::Value) => self.refuse(key, allowed),
+        allowed: &Allowed,
+        read: impl FnOnce(&Value) -> Result<V, Refused>,
+    ) -> Option<V> {
+        match self.ask(key)?.as_value().map_or(Err(Refused::Value), read) {
+            Ok(value) => return Some(value),
+            Err(Refused::Value) => self.refuse(key, allowed.clone()),
             Err(Refused::Expression { text, error }) => {
-                self.fault(key, Problem::Expression { text, error: Box::new(error), allowed });
+                self.fault(key, Problem::Expression { text, error: Box::new(error), allowed: allowed.clone() });
             }
         }
-        default
-    }
-
-    /// A finite number.
-    pub fn number(&mut self, key: &'static str, default: f64) -> f64 {
-        self.quantity(key, Dimension::Number, default)
-    }
-
-    /// A number, or infinity, which the caller refuses with a better message.
-    pub fn number_or_infinity(&mut self, key: &'static str, default: f64) -> f64 {
-        self.read_numbers(key, default, Allowed::Number, |value| match value.as_float() {
-            Some(f64::INFINITY) => Ok(f64::INFINITY),
-            _ => number(value, Dimension::Number),
-        })
-    }
-
-    /// Degrees.
-    pub fn angle(&mut self, key: &'static str, default: f64) -> f64 {
-        self.quantity(key, Dimension::Angle, default)
-    }
-
-    fn quantity(&mut self, key: &'static str, dimension: Dimension, default: f64) -> f64 {
-        self.read_numbers(key, default, Allowed::Number, |value| number(value, dimension))
-    }
-
-    /// A number between `least` and `most`, both included.
-    pub fn number_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
-        self.quantity_in(key, Dimension::Number, least, most, default)
-    }
-
-    /// Like [`number_in`](Self::number_in), if the key is there; the default if it's wrong.
-    pub fn optional_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> Option<f64> {
-        let is_present = self.is_present(key);
-        let number = self.number_in(key, least, most, default);
-        is_present.then_some(number)
-    }
-
-    /// An angle is in degrees.
-    pub fn quantity_in(&mut self, key: &'static str, dimension: Dimension, least: f64, most: f64, default: f64) -> f64 {
-        self.read_numbers(key, default, Allowed::NumberIn(least, most), |value| {
-            number_if(value, dimension, |x| (least..=most).contains(&x))
-        })
-    }
-
-    /// A number greater than 0.
-    pub fn positive(&mut self, key: &'static str, default: f64) -> f64 {
-        self.read_numbers(key, default, Allowed::PositiveNumber, |value| {
-            number_if(value, Dimension::Number, |x| x > 0.0)
-        })
-    }
-
-    /// Degrees between 0 and 180, both excluded; `None` if the key is missing, or wrong.
-    pub fn angle_of_half_turn(&mut self, key: &'static str) -> Option<f64> {
-        self.read_numbers(key, None, Allowed::HalfTurn, |value| {
-            number_if(value, Dimension::Angle, |degrees| degrees > 0.0 && degrees < 180.0).map(Some)
-        })
-    }
-
-    /// Two numbers greater than 0.
-    pub fn positive_pair(&mut self, key: &'static str, default: [f64; 2]) -> [f64; 2] {
-        self.read_numbers(key, default, Allowed::PositivePair, |value| {
-            let pair: [f64; 2] = numbers(value, Dimension::Number)?;
-            pair.iter().all(|x| *x > 0.0).then_some(pair).ok_or(Refused::Value)
-        })
-    }
-
-    /// An integer from `least` to `most`, which fit the type.
-    pub fn integer<T: TryFrom<i64>>(&mut self, key: &'static str, least: i64, most: i64, default: T) -> T {
-        self.read(key, default, Allowed::IntegerIn(least, most), |value| {
-            value.as_integer().filter(|i| (least..=most).contains(i)).and_then(|i| T::try_from(i).ok())
-        })
-    }
-
-    /// One of a few integers, which fit the type.
-    pub fn integer_of(&mut self, key: &'static str, choice: &'static [i64], default: u8) -> u8 {
-        self.read(key, default, Allowed::Integers(choice), |value| {
-            value.as_integer().filter(|i| choice.contains(i)).and_then(|i| u8::try_from(i).ok())
-        })
-    }
-
-    /// `true` or `false`. False if the key is missing.
-    pub fn switch(&mut self, key: &'static str) -> bool {
-        self.switch_else(key, false)
-    }
-
-    /// A switch with this default.
-    pub fn switch_else(&mut self, key: &'static str, default: bool) -> bool {
-        self.read(key, default, Allowed::Switch, Value::as_bool)
+        None
     }
 
     /// One of two values, or one of `words`. The first if the key is missing.
     pub fn switch_or<T: Copy>(&mut self, key: &'static str, [off, on]: [T; 2], words: Words<T>) -> T {
-        self.read(key, off, Allowed::SwitchOr(words::names(words)), |value| match value.as_bool() {
-            Some(switch) => Some(if switch { on } else { off }),
-            None => words::value(words, value.as_str()?),
-        })
-    }
-
-    /// Three finite numbers.
-    pub fn vector(&mut self, key: &'static str, default: DVec3) -> DVec3 {
-        self.read_numbers(key, default, Allowed::Vector, |value| vector(value, Dimension::Number))
-    }
-
-    /// Degrees about x, y and z.
-    pub fn angles(&mut self, key: &'static str, default: DVec3) -> DVec3 {
-        self.read_numbers(key, default, Allowed::Vector, |value| vector(value, Dimension::Angle))
+        let value = self.read(key, &Allowed::SwitchOr(words::names(words)), |value| {
+            let word = || words::value(words, value.as_str()?);
+            value.as_bool().map(|switch| if switch { on } else { off }).or_else(word).ok_or(Refused::Value)
+        });
+        value.unwrap_or(off)
     }
 
     /// Points of three numbers each. [`Allowed::PointPairs`] asks for an even number of points. `None`, and a fault, if
@@ -281,21 +179,9 @@ impl<'a> Section<'a> {
             self.missing(key, allowed);
             return None;
         }
-        self.read_numbers(key, None, allowed, |value| {
+        self.read(key, &allowed, |value| {
             let list = value.as_array().filter(|list| !pairs || list.len() % 2 == 0).ok_or(Refused::Value)?;
-            list.iter().map(|point| vector(point, Dimension::Number)).collect::<Result<Vec<_>, _>>().map(Some)
-        })
-    }
-
-    /// A colour as `#rrggbb` or `#rrggbbaa`.
-    pub fn color(&mut self, key: &'static str) -> Option<Rgba> {
-        self.read(key, None, Allowed::Color, |value| value.as_str()?.parse().ok().map(Some))
-    }
-
-    /// A text that isn't empty.
-    pub fn text(&mut self, key: &'static str) -> Option<String> {
-        self.read(key, None, Allowed::Text, |value| {
-            value.as_str().filter(|text| !text.is_empty()).map(|text| Some(text.to_owned()))
+            list.iter().map(|point| vector(point, Dimension::Number)).collect()
         })
     }
 
@@ -321,12 +207,17 @@ impl<'a> Section<'a> {
 
     /// A list of such texts.
     pub fn bilingual_list(&mut self, key: &'static str) -> Vec<[String; 2]> {
-        self.read(key, Vec::new(), Allowed::ToldList, |value| value.as_array()?.iter().map(told).collect())
+        self.read_list(key, &Allowed::ToldList, told)
     }
 
     /// A list of texts, each of which `read` can read.
     pub fn list<T>(&mut self, key: &'static str, allowed: Allowed, read: impl Fn(&str) -> Option<T>) -> Vec<T> {
-        self.read(key, Vec::new(), allowed, |value| value.as_array()?.iter().map(|text| read(text.as_str()?)).collect())
+        self.read_list(key, &allowed, |text| read(text.as_str()?))
+    }
+
+    fn read_list<T>(&mut self, key: &'static str, allowed: &Allowed, read: impl Fn(&Value) -> Option<T>) -> Vec<T> {
+        let list = |value: &Value| value.as_array()?.iter().map(&read).collect::<Option<Vec<T>>>();
+        self.read(key, allowed, |value| list(value).ok_or(Refused::Value)).unwrap_or_default()
     }
 
     /// A list of `words`. The message names the first one that isn't among them.
@@ -346,31 +237,14 @@ impl<'a> Section<'a> {
         list.iter().filter_map(known).collect()
     }
 
-    /// Two finite numbers.
-    pub fn pair(&mut self, key: &'static str) -> Option<DVec2> {
-        self.read_numbers(key, None, Allowed::Pair, |value| {
-            numbers(value, Dimension::Number).map(|pair| Some(DVec2::from_array(pair)))
-        })
-    }
-
     /// Two finite numbers between two others, both included.
-    pub fn pair_in(&mut self, key: &'static str, least: f64, most: f64) -> Option<DVec2> {
-        let before = self.faults.len();
-        let pair = self.pair(key)?;
-        if !pair.to_array().iter().all(|x| (least..=most).contains(x)) && self.faults.len() == before {
+    pub fn pair_in(&mut self, key: &'static str, [least, most]: [f64; 2]) -> Option<DVec2> {
+        let pair = self.get(key, &PAIR)?;
+        if !pair.to_array().iter().all(|x| (least..=most).contains(x)) {
             self.refuse(key, Allowed::PairIn(least, most));
             return None;
         }
         Some(pair)
-    }
-
-    /// A text of one line, of at most `limit` characters.
-    pub fn line(&mut self, key: &'static str, limit: usize) -> Option<String> {
-        self.read(key, None, Allowed::Line { limit }, |value| {
-            let text = value.as_str()?;
-            let is_line = !text.trim().is_empty() && !text.contains(crate::sanitize::is_obeyed);
-            (is_line && text.chars().count() <= limit).then(|| Some(text.to_owned()))
-        })
     }
 
     /// The number of values in the list at `key`; `None` if there's no list.
@@ -378,36 +252,15 @@ impl<'a> Section<'a> {
         Some(self.item(key)?.as_array()?.len())
     }
 
-    /// Two whole numbers from `least` on.
-    pub fn whole_pair<T: TryFrom<i64>>(&mut self, key: &'static str, least: i64) -> Option<[T; 2]> {
-        self.read(key, None, Allowed::Pixel, |value| {
-            let whole = |i: i64| T::try_from(i).ok().filter(|_| i >= least);
-            let [i, j] = whole_numbers(value)?.map(whole);
-            Some(Some([i?, j?]))
-        })
-    }
-
-    /// A 4 × 4 matrix, row by row.
-    pub fn matrix(&mut self, key: &'static str) -> Option<DMat4> {
-        self.read_numbers(key, None, Allowed::Matrix, |value| {
-            let rows = value.as_array().filter(|rows| rows.len() == 4).ok_or(Refused::Value)?;
-            let mut entries = [[0.0; 4]; 4];
-            for (place, row) in entries.iter_mut().zip(rows) {
-                *place = numbers(row, Dimension::Number)?;
-            }
-            Ok(Some(DMat4::from_cols_array_2d(&entries).transpose()))
-        })
-    }
-
     /// A list of pairs of whole numbers.
     pub fn pairs(&mut self, key: &'static str) -> Vec<[i64; 2]> {
-        self.read(key, Vec::new(), Allowed::Pixels, |value| value.as_array()?.iter().map(whole_numbers).collect())
+        self.read_list(key, &Allowed::Pixels, whole_numbers)
     }
 
     /// Numbers in rows. A number is one row of one, a list is a row for each, and a list of lists is itself.
     pub fn rows(&mut self, key: &'static str, is_angle: bool) -> Option<Vec<Vec<f64>>> {
         let dimension = if is_angle { Dimension::Angle } else { Dimension::Number };
-        self.read_numbers(key, None, Allowed::Numbers, |value| {
+        self.read(key, &Allowed::Numbers, |value| {
             let row = |value: &Value| match value.as_array() {
                 Some(list) => list.iter().map(|entry| number(entry, dimension)).collect::<Result<Vec<_>, _>>(),
                 None => Ok(vec![number(value, dimension)?]),
@@ -418,7 +271,7 @@ impl<'a> Section<'a> {
             };
             let columns = rows.first().map_or(0, Vec::len);
             let is_table = columns > 0 && rows.iter().all(|row| row.len() == columns);
-            if is_table { Ok(Some(rows)) } else { Err(Refused::Value) }
+            if is_table { Ok(rows) } else { Err(Refused::Value) }
         })
     }
 
@@ -446,7 +299,7 @@ impl<'a> Section<'a> {
         if item.is_some() && table.is_none() {
             self.refuse(key, Allowed::Section);
         }
-        Self::new(self.text, table, label, self.place(key).unwrap_or(self.at))
+        Self::new(self.text, table, label, self.place(key).unwrap_or(self.at)).with_homes(self.home)
     }
 
     /// Sections in this one: `[[label]]`, or a list of inline tables.
@@ -470,7 +323,8 @@ impl<'a> Section<'a> {
             return Vec::new();
         };
         let here = self.place(key).unwrap_or(self.at);
-        tables.into_iter().map(|(t, at)| Self::new(self.text, Some(t), label, at.unwrap_or(here))).collect()
+        let one = |table, at| Self::new(self.text, Some(table), label, at).with_homes(self.home);
+        tables.into_iter().map(|(table, at)| one(table, at.unwrap_or(here))).collect()
     }
 
     /// The entries of a table in this section, each with its value as written and its place in the text. Entries of
@@ -482,8 +336,11 @@ impl<'a> Section<'a> {
             return Vec::new();
         };
         let place = |item: &Item| item.span().map_or(self.at, |span| span.start);
-        let written =
-            |item: &Item| item.span().and_then(|span| self.text.get(span)).unwrap_or_default().trim().to_owned();
+        // Only a text has values as written.
+        let written = |item: &Item| {
+            let text = item.span().and_then(|span| self.text.get(span)).map(str::to_owned);
+            text.unwrap_or_else(|| item.to_string()).trim().to_owned()
+        };
         let entry = |path: String, item: &Item| (path, written(item), place(item));
         let entries =
             table.iter().flat_map(|(name, item)| match item.as_table_like().filter(|_| !name.contains('.')) {
@@ -531,7 +388,7 @@ impl<'a> Section<'a> {
             .collect();
         for key in unknown {
             let known = self.asked.clone();
-            let problem = Problem::UnknownKey { near: near::key(&key, &known), known };
+            let problem = Problem::UnknownKey { near: near::key(&key, &known, self.home), known };
             let at = self.place(&key).unwrap_or(self.at);
             self.faults.push(Fault { at, key: self.name_of(&snippet(&key, 0..key.len())), problem });
         }

@@ -3,27 +3,9 @@
 use toml_edit::{Item, Table, TableLike};
 
 use super::figure;
-use super::lens::remove_rivals;
 use super::section::{Fault, Section};
 use crate::figure::Figure;
-
-/// The sections of a figure.
-const SECTIONS: [&str; 14] = [
-    "camera",
-    "cameras",
-    "image",
-    "viewport",
-    "scene",
-    "points",
-    "style",
-    "reveal",
-    "world",
-    "observers",
-    "show",
-    "screen",
-    "compare",
-    "labels",
-];
+use crate::figure::keys::{home, remove_rivals, sections};
 
 /// Stacked sections, with their places in the text.
 #[derive(Debug, Default)]
@@ -35,11 +17,11 @@ impl Stacked {
     /// Puts the sections of a figure in `over` on top, where each key replaces the one that was there. Lists of
     /// sections are replaced whole.
     pub fn put(&mut self, over: &mut Section<'_>) {
-        for name in SECTIONS {
+        for name in sections() {
             over.skip(name);
         }
         let Some(items) = over.table else { return };
-        for name in SECTIONS {
+        for name in sections() {
             let Some((key, item)) = items.get_key_value(name) else { continue };
             match (self.table.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {
                 (Some(below), Some(above)) => {
@@ -56,7 +38,7 @@ impl Stacked {
     /// Removes a key, `show.stage`, or a whole section, `labels`. False if there is none.
     pub fn remove(&mut self, path: &str) -> bool {
         match path.split_once('.') {
-            None => SECTIONS.contains(&path) && self.table.remove(path).is_some(),
+            None => sections().contains(&path) && self.table.remove(path).is_some(),
             Some((section, key)) => {
                 let section = self.table.get_mut(section).and_then(Item::as_table_like_mut);
                 section.is_some_and(|section| section.remove(key).is_some())
@@ -67,7 +49,7 @@ impl Stacked {
     /// The figure of all of them. `within` is a section of their text.
     pub fn figure(&self, within: &Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         let label = within.name_of("").trim_matches(['[', ']', ' ']).to_owned();
-        figure(Section::new(within.text, Some(&self.table), &format!("[{label}]"), within.at), faults)
+        figure(Section::new(within.text, Some(&self.table), &format!("[{label}]"), within.at).with_homes(home), faults)
     }
 }
 

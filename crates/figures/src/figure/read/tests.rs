@@ -1,7 +1,11 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use glam::DVec3;
+
 use super::*;
-use crate::figure::{Arrangement, Screen, ShadowReveal};
+use crate::camera::{Projection, ViewWindow, Viewport};
+use crate::figure::error::Allowed;
+use crate::figure::{Arrangement, Depth, Outside, Reveal, Screen, ShadowReveal};
 use crate::scene::{Light, Preset, SceneError, Shape};
 
 /// The error of `text` as line, key and problem.
