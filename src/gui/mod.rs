@@ -16,7 +16,7 @@ use crate::lessons::OpenLesson;
 pub use app::App;
 pub use app::launch_options::LaunchOptions;
 pub use app::state::State;
-use camera_lab_desk::{AfterSave, News};
+use camera_lab_desk::{Intent, News};
 use camera_lab_files::SourceFile;
 use camera_lab_words::Lang;
 use std::path::PathBuf;
@@ -90,7 +90,7 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
             } else {
                 app.state.file_flow.news.tell(News::NoHome);
             }
-            let opened = lesson.map(AfterSave::Lesson).or(later.map(AfterSave::OpenPath));
+            let opened = lesson.map(Intent::Lesson).or(later.map(Intent::OpenPath));
             if let Some(open) = opened {
                 app::file_flow::begin(&context.egui_ctx, &mut app.state, open);
             }

@@ -7,7 +7,7 @@ use camera_lab::figure::Explanation;
 use camera_lab::gui::app::file_flow;
 use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::scene::Preset;
-use camera_lab_desk::action::AfterSave;
+use camera_lab_desk::action::Intent;
 use camera_lab_words::Lang;
 use camera_lab_words::window::coach;
 use eframe::egui::{Event, Key, Modifiers, PointerButton};
@@ -105,7 +105,7 @@ fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
     let mut window = window(Lang::En);
     let t = coach::texts(Lang::En);
     let ctx = window.harness.ctx.clone();
-    file_flow::begin(&ctx, &mut window.app_mut().state, AfterSave::OpenPath(path));
+    file_flow::begin(&ctx, &mut window.app_mut().state, Intent::OpenPath(path));
     settled(&mut window);
     if window.state().file_flow.dialog.is_some() {
         window.click(camera_lab_words::window::texts(Lang::En).dont_save);

@@ -11,7 +11,7 @@ use camera_lab::gui;
 use camera_lab::gui::app::file_flow;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::views::View;
-use camera_lab_desk::action::AfterSave;
+use camera_lab_desk::action::Intent;
 use camera_lab_desk::message::Message;
 use camera_lab_files::FileError;
 use camera_lab_words::Lang;
@@ -305,7 +305,7 @@ fn a_lesson_of_a_link_takes_the_place_of_a_restored_figure_after_a_question() {
     // As a page does with `?lesson=basis`.
     let (asked, _) = LaunchOptions::of_query("?lesson=basis");
     let (ctx, open) = (window.harness.ctx.clone(), asked.open_lesson().expect("a lesson"));
-    file_flow::begin(&ctx, &mut window.app_mut().state, AfterSave::Lesson(open));
+    file_flow::begin(&ctx, &mut window.app_mut().state, Intent::Lesson(open));
     window.run();
     let t = texts(Lang::En);
     assert!(window.says(t.unsaved_title) && window.says("a.toml") && window.state().learn.lesson.is_none());

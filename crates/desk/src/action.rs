@@ -16,7 +16,7 @@ pub enum Action {
     /// Ask for a file to read or to write.
     File(FileFor),
     /// Do this once nothing can be lost any more.
-    Begin(AfterSave),
+    Begin(Intent),
     /// Play the lesson on offer in the line above the window.
     Offered(OpenLesson),
     /// Ask if the objects below the deleted ones go too.
@@ -47,7 +47,7 @@ pub enum Action {
 impl Action {
     /// Plays a built-in lesson from a step.
     pub fn lesson(lesson: Arc<Lesson>, step: usize) -> Self {
-        Self::Begin(AfterSave::Lesson(OpenLesson { lesson, path: None, step }))
+        Self::Begin(Intent::Lesson(OpenLesson { lesson, path: None, step }))
     }
 
     /// Asks where to write a chart with this title.
@@ -80,7 +80,7 @@ pub enum FileFor {
 
 /// An action to perform once nothing can be lost any more.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum AfterSave {
+pub enum Intent {
     /// The default figure.
     New,
     /// Ask for a file and open it.
@@ -107,7 +107,7 @@ pub enum AfterSave {
     Quit,
 }
 
-impl AfterSave {
+impl Intent {
     /// True if it loses the figure of the window.
     pub fn replaces_figure(&self) -> bool {
         // Work in the steps of a lesson is kept if its file is read again.

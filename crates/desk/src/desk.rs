@@ -9,6 +9,7 @@
 use super::document::Document;
 use super::document::source::Source;
 use super::history::Revision;
+use crate::action::Intent;
 use crate::camera::CameraError;
 use crate::figure::Figure;
 
@@ -21,6 +22,53 @@ pub struct Desk {
     held: Vec<Held>,
     /// The changes that count as work in a step of a lesson, while one is played.
     steps: Option<StepWork>,
+    /// The intent that waits for an answer, or for a file.
+    errand: Option<Errand>,
+}
+
+/// An intent that waits.
+#[derive(Clone, Debug)]
+struct Errand {
+    intent: Intent,
+    /// True if it waits for text of a lesson, false if it waits for the figure.
+    for_text: bool,
+}
+
+/// The work that an intent would lose.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Losses {
+    /// Changes of the shown figure, or of its layout.
+    pub figure: bool,
+    /// Text of a lesson that can't be saved.
+    pub text: bool,
+}
+
+/// The desk's answer to an intent, and to a reply.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// Ask if the changes of the figure are to be saved.
+    AskAboutFigure,
+    /// Ask if the text of the lesson is to be forgotten, or saved elsewhere.
+    AskAboutText,
+    /// Save the figure, then state the intent again.
+    SaveFigure,
+    /// Save the lesson with its text in another file, then state the intent again.
+    SaveText,
+    /// Do this now.
+    Do(Intent),
+    /// Wait for the user.
+    Nothing,
+}
+
+/// The user's answer to a question.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reply {
+    /// Save the work.
+    Save,
+    /// Give up the work of the figure.
+    GiveUp,
+    /// Stay.
+    Cancel,
 }
 
 /// A hidden document.
@@ -60,7 +108,41 @@ enum StepWork {
 impl Desk {
     /// Shows a document, and holds no other.
     pub fn new(shown: Document) -> Self {
-        Self { shown, held: Vec::new(), steps: None }
+        Self { shown, held: Vec::new(), steps: None, errand: None }
+    }
+
+    /// States what the user wants next. An intent that would lose work waits for the answer to a question about it. Every
+    /// intent that replaces or closes a document comes through here.
+    pub fn wish(&mut self, intent: Intent, losses: Losses) -> Need {
+        let need = match losses {
+            Losses { text: true, .. } => Need::AskAboutText,
+            Losses { figure: true, .. } if intent.replaces_figure() => Need::AskAboutFigure,
+            _ => {
+                self.errand = None;
+                return Need::Do(intent);
+            }
+        };
+        self.errand = Some(Errand { intent, for_text: losses.text });
+        need
+    }
+
+    /// Takes the answer to the question about the intent that waits. If the work is to be saved, the intent waits for
+    /// that.
+    pub fn reply(&mut self, reply: Reply) -> Need {
+        match (reply, self.errand.take()) {
+            (Reply::Save, Some(errand)) => {
+                let need = if errand.for_text { Need::SaveText } else { Need::SaveFigure };
+                self.errand = Some(errand);
+                need
+            }
+            (Reply::GiveUp, Some(errand)) => Need::Do(errand.intent),
+            (Reply::Cancel, _) | (_, None) => Need::Nothing,
+        }
+    }
+
+    /// The intent that waits.
+    pub fn errand(&self) -> Option<&Intent> {
+        self.errand.as_ref().map(|errand| &errand.intent)
     }
 
     /// True if a document has changes that mustn't be lost.
@@ -397,15 +479,26 @@ mod tests {
             self.forget_shown();
         }
 
-        /// Asks about the shown document. False if the user cancels.
-        fn ask(&mut self, answer: Answer) -> bool {
-            match answer {
-                _ if !self.desk.shows_work() => {}
-                Answer::Save => self.save(),
-                Answer::Discard => self.forget_shown(),
-                Answer::Cancel => return false,
-            }
-            true
+        /// States an intent, and gives the user's answer if the desk asks. True if it's to be done.
+        fn wants(&mut self, intent: &Intent, answer: Answer) -> bool {
+            let losses = |desk: &Desk| Losses { figure: desk.shows_work(), text: false };
+            let need = self.desk.wish(intent.clone(), losses(&self.desk));
+            let need = match (need, answer) {
+                (Need::AskAboutFigure, Answer::Save) => {
+                    assert_eq!(self.desk.reply(Reply::Save), Need::SaveFigure);
+                    self.save();
+                    let waiting = self.desk.errand().cloned().unwrap();
+                    self.desk.wish(waiting, losses(&self.desk))
+                }
+                (Need::AskAboutFigure, Answer::Discard) => {
+                    self.forget_shown();
+                    self.desk.reply(Reply::GiveUp)
+                }
+                (Need::AskAboutFigure, Answer::Cancel) => self.desk.reply(Reply::Cancel),
+                (need, _) => need,
+            };
+            assert_eq!(self.desk.errand(), None);
+            need == Need::Do(intent.clone())
         }
 
         fn leave_lesson(&mut self) {
@@ -449,7 +542,7 @@ mod tests {
                 }
                 Act::Save => self.save(),
                 Act::Exercise => self.desk.show_in_front(Figure::default()).unwrap(),
-                Act::Open(answer) if self.ask(answer) => self.take_over(document()),
+                Act::Open(answer) if self.wants(&Intent::New, answer) => self.take_over(document()),
                 Act::Next => {
                     self.desk.keep_shown();
                     self.take_over(document());
@@ -457,13 +550,13 @@ mod tests {
                 Act::Back(place) => {
                     let left: Vec<_> = self.desk.left().collect();
                     if let Some(source) = left.get(place)
-                        && self.ask(Answer::Save)
+                        && self.wants(&Intent::Open, Answer::Save)
                         && let Some(document) = self.desk.take_left(source.as_ref())
                     {
                         self.take_over(document);
                     }
                 }
-                Act::Play(answer) if self.ask(answer) => {
+                Act::Play(answer) if self.wants(&Intent::Shipped("house"), answer) => {
                     self.take_over(document());
                     self.desk.play_lesson();
                     self.step = 0;
@@ -480,7 +573,7 @@ mod tests {
                 Act::LeaveLesson => self.leave_lesson(),
                 Act::Close(answer) => {
                     // The user gives up the first document, and then stays.
-                    if self.ask(answer)
+                    if self.wants(&Intent::Quit, answer)
                         && let Some(next) = self.desk.next_to_close(self.desk.shows_work())
                     {
                         self.take_over(next);

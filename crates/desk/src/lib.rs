@@ -43,7 +43,7 @@ use camera_lab_engine::{appearance, camera, geometry, limits, numbers, pipeline,
 use camera_lab_figures::{chart, explain, export, figure, picture, views};
 use camera_lab_teaching::{clock, exercises, lessons, numerics};
 
-pub use action::{Action, AfterSave, FileFor, MeshFor};
+pub use action::{Action, FileFor, Intent, MeshFor};
 pub use background::memo::{Latest, Memo};
 pub use background::worker::{Done, Running, Worker};
 pub use cameras::CameraList;

@@ -6,7 +6,7 @@ use super::state::State;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose};
 use crate::gui::app::file_flow::{ask, begin};
 use crate::gui::inspector::state::compare::CompareForm;
-use camera_lab_desk::{Action, AfterSave, CameraList, PhotographTool};
+use camera_lab_desk::{Action, CameraList, Intent, PhotographTool};
 
 /// Performs the actions requested since the last call.
 pub(super) fn perform(ctx: &Context, state: &mut State) {
@@ -24,7 +24,7 @@ pub(super) fn perform(ctx: &Context, state: &mut State) {
                 state.photograph = PhotographTool::default();
             }
             Action::Offered(open) => {
-                begin(ctx, state, AfterSave::Lesson(open));
+                begin(ctx, state, Intent::Lesson(open));
                 // It stays if the question about changes is open.
                 if state.learn.lesson.is_some() {
                     state.learn.take_offer(&mut state.model);

@@ -24,7 +24,8 @@ use crate::gui::platform::native::Wanted;
 use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
-use camera_lab_desk::{AfterSave, Comparison, LineOrigin, Model, Source};
+use camera_lab_desk::desk::Reply;
+use camera_lab_desk::{Comparison, Intent, LineOrigin, Model, Source};
 use camera_lab_words::learn::{exercise_window, lessons};
 use camera_lab_words::window::gallery as gallery_words;
 use camera_lab_words::window::{self, Texts};
@@ -105,8 +106,8 @@ const fn width(dialog: &Dialog) -> f32 {
         Dialog::Export(_) => export_dialog::WIDTH,
         Dialog::Handout(_) => handout::dialog::WIDTH,
         Dialog::Changed(_) => 480.0,
-        Dialog::Unsaved(_)
-        | Dialog::UnsavedText(_)
+        Dialog::Unsaved
+        | Dialog::UnsavedText
         | Dialog::Path(..)
         | Dialog::Overwrite(..)
         | Dialog::ReadOnly(..)
@@ -201,8 +202,8 @@ fn show_gallery(ui: &mut egui::Ui, state: &mut State, first: bool) -> Option<Dia
             file_flow::ask(ui.ctx(), state, Purpose::Folder);
             return Some(Dialog::Gallery);
         }
-        Chosen::Open(Source::Shipped(name)) => Some(AfterSave::Shipped(name)),
-        Chosen::Open(Source::File(path)) => Some(AfterSave::OpenPath(path)),
+        Chosen::Open(Source::Shipped(name)) => Some(Intent::Shipped(name)),
+        Chosen::Open(Source::File(path)) => Some(Intent::OpenPath(path)),
     };
     state.gallery.end();
     next.into_iter().for_each(|next| file_flow::begin(ui.ctx(), state, next));
@@ -234,11 +235,11 @@ impl Question {
             default: CANCEL,
         };
         Some(match dialog {
-            Dialog::Unsaved(_) => {
+            Dialog::Unsaved => {
                 let text = format!("{} {}", t.unsaved_text, state.model.figure_name());
                 Self { default: 1, ..asked(t.unsaved_title, text, vec![t.dont_save, t.save_first]) }
             }
-            Dialog::UnsavedText(_) => {
+            Dialog::UnsavedText => {
                 let words = lessons::texts(lang);
                 let mut buttons = vec![t.dont_save];
                 buttons.extend(state.learn.has_good_text().then_some(words.save_copy));
@@ -294,12 +295,11 @@ impl Question {
 /// Acts on the pressed button of a question, from 0.
 fn answer(ctx: &egui::Context, state: &mut State, dialog: Dialog, button: usize) {
     match (dialog, button) {
-        (Dialog::Unsaved(next), 1) => file_flow::save(ctx, state, Some(next)),
-        (Dialog::Unsaved(next), _) => file_flow::go_on(ctx, state, next),
-        (Dialog::UnsavedText(next), 1) => file_flow::ask(ctx, state, Purpose::LessonText(next)),
-        (Dialog::UnsavedText(next), _) => {
+        (Dialog::Unsaved | Dialog::UnsavedText, 1) => file_flow::reply(ctx, state, Reply::Save),
+        (Dialog::Unsaved, _) => file_flow::reply(ctx, state, Reply::GiveUp),
+        (Dialog::UnsavedText, _) => {
             state.learn.forget_text();
-            file_flow::begin(ctx, state, next);
+            file_flow::go_on(ctx, state);
         }
         (Dialog::Overwrite(purpose, path), _) => file_flow::confirmed(ctx, state, purpose, &path, Agreed::default()),
         (Dialog::Changed(changed), button) => answer_changed(ctx, state, changed, button),
@@ -331,10 +331,10 @@ fn answer_changed(ctx: &egui::Context, state: &mut State, mut changed: Changed, 
         Some(1) => {
             if let Some(path) = state.model.desk.shown.path().cloned() {
                 let agreed = Agreed { theirs: Some(changed.theirs), ..Agreed::default() };
-                file_flow::confirmed(ctx, state, Purpose::Save(changed.then), &path, agreed);
+                file_flow::confirmed(ctx, state, Purpose::Save, &path, agreed);
             }
         }
-        _ => file_flow::ask(ctx, state, Purpose::Save(changed.then)),
+        _ => file_flow::ask(ctx, state, Purpose::Save),
     }
 }
 

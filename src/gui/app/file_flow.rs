@@ -38,53 +38,75 @@ use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::picture::file_beside;
 use crate::scene::Shape;
 use crate::scene::import::MESH_ENDINGS;
-use camera_lab_desk::{AfterSave, Document, ExportError, FileFor, MeshFor, Message, Model, NotExported, Source, Tab};
+use camera_lab_desk::desk::{Losses, Need, Reply};
+use camera_lab_desk::{Document, ExportError, FileFor, Intent, MeshFor, Message, Model, NotExported, Source, Tab};
 use camera_lab_files::{self as files, FileChange, FileError, Overwrite, disk};
 
-/// Does the `next` action, after asking about all losses: text of a lesson that can't be saved, and changes of the
-/// figure. Every action that replaces or closes a document comes through here.
-pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
+/// Does what the user wants, after asking about all losses: text of a lesson that can't be saved, and changes of the
+/// figure. Every intent that replaces or closes a document comes through here.
+pub fn begin(ctx: &egui::Context, state: &mut State, intent: Intent) {
     state.learn.end_move(&mut state.model);
     state.model.settle_layout();
     state.model.desk.commit();
-    if !state.learn.save_text(&mut state.model) {
-        // The dialog says why.
-        state.file_flow.refused = state.model.message.take();
-        state.file_flow.dialog = Some(Dialog::UnsavedText(next));
-    } else if next.replaces_figure()
-        && state.model.is_unsaved()
-        && !(next == AfterSave::WriteRecorded && state.learn.is_recorded(&mut state.model))
-    {
-        state.file_flow.dialog = Some(Dialog::Unsaved(next));
-    } else {
-        go_on(ctx, state, next);
+    let text = !state.learn.save_text(&mut state.model);
+    let is_recorded = intent == Intent::WriteRecorded && state.learn.is_recorded(&mut state.model);
+    let figure = state.model.is_unsaved() && !is_recorded;
+    let need = state.model.desk.wish(intent, Losses { figure, text });
+    meet(ctx, state, need);
+}
+
+/// Takes the answer to a question about losses.
+pub fn reply(ctx: &egui::Context, state: &mut State, reply: Reply) {
+    let need = state.model.desk.reply(reply);
+    meet(ctx, state, need);
+}
+
+/// Goes on with the intent that waited until work was saved.
+pub fn go_on(ctx: &egui::Context, state: &mut State) {
+    if let Some(intent) = state.model.desk.errand().cloned() {
+        begin(ctx, state, intent);
     }
 }
 
-/// Does the `next` action. Changes are lost, so only [`begin`] and the answer to its question call this.
-pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
-    match next {
-        AfterSave::New => {
+fn meet(ctx: &egui::Context, state: &mut State, need: Need) {
+    match need {
+        Need::AskAboutText => {
+            // The dialog says why.
+            state.file_flow.refused = state.model.message.take();
+            state.file_flow.dialog = Some(Dialog::UnsavedText);
+        }
+        Need::AskAboutFigure => state.file_flow.dialog = Some(Dialog::Unsaved),
+        Need::SaveFigure => save(ctx, state),
+        Need::SaveText => ask(ctx, state, Purpose::LessonText),
+        Need::Do(intent) => perform(ctx, state, intent),
+        Need::Nothing => {}
+    }
+}
+
+/// Does what the user wants. Changes are lost, so only the desk's answer leads here.
+fn perform(ctx: &egui::Context, state: &mut State, intent: Intent) {
+    match intent {
+        Intent::New => {
             if let Ok(document) = Document::new(camera_lab_desk::document::fresh(), None) {
                 state.learn.take_over(&mut state.model, document);
             }
         }
-        AfterSave::Open => ask(ctx, state, Purpose::Open),
-        AfterSave::OpenPath(path) => open(ctx, state, &path),
-        AfterSave::Shipped(name) => open_shipped(&mut state.model, &mut state.learn, name),
-        AfterSave::Text(text) => match parse(&text).map(|figure| Document::new(figure, None)) {
+        Intent::Open => ask(ctx, state, Purpose::Open),
+        Intent::OpenPath(path) => open(ctx, state, &path),
+        Intent::Shipped(name) => open_shipped(&mut state.model, &mut state.learn, name),
+        Intent::Text(text) => match parse(&text).map(|figure| Document::new(figure, None)) {
             Ok(Ok(document)) => state.learn.take_over(&mut state.model, document),
             Ok(Err(error)) => state.model.say(Message::Camera(error)),
             // The program wrote it, for a camera that it had measured. A test opens every one.
             Err(_) => {}
         },
-        AfterSave::Lesson(open) => state.learn.play(&mut state.model, open),
-        AfterSave::LeaveLesson => state.learn.leave_lesson(&mut state.model),
-        AfterSave::WriteRecorded => state.learn.write_recorded(&mut state.model),
-        AfterSave::ReadLesson => state.learn.read_lesson_again(&mut state.model),
-        AfterSave::Reload => reload(ctx, state),
-        AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
-        AfterSave::Quit => quit(ctx, state),
+        Intent::Lesson(open) => state.learn.play(&mut state.model, open),
+        Intent::LeaveLesson => state.learn.leave_lesson(&mut state.model),
+        Intent::WriteRecorded => state.learn.write_recorded(&mut state.model),
+        Intent::ReadLesson => state.learn.read_lesson_again(&mut state.model),
+        Intent::Reload => reload(ctx, state),
+        Intent::Restore(slot) => state.file_flow.restore = Some(slot),
+        Intent::Quit => quit(ctx, state),
     }
 }
 
@@ -92,7 +114,7 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
 fn quit(ctx: &egui::Context, state: &mut State) {
     if let Some(document) = state.model.desk.next_to_close(state.model.is_unsaved()) {
         state.learn.take_over(&mut state.model, document);
-        begin(ctx, state, AfterSave::Quit);
+        begin(ctx, state, Intent::Quit);
     } else if state.file_flow.exporting.is_empty() {
         close(ctx, &mut state.file_flow);
     } else {
@@ -107,11 +129,11 @@ pub fn close(ctx: &egui::Context, file_flow: &mut FileFlow) {
 }
 
 /// Saves to the figure's own file. If it has none, asks for one.
-pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
-    let named = || state.model.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
+pub fn save(ctx: &egui::Context, state: &mut State) {
+    let named = || state.model.in_browser.then(|| FileKind::of(state, &Purpose::Save).proposal());
     match state.model.desk.shown.path().cloned().or_else(named) {
-        Some(path) => write(ctx, state, Save { path, then, agreed: Agreed::default(), with_files: false }),
-        None => ask(ctx, state, Purpose::Save(then)),
+        Some(path) => write(ctx, state, Save::of(state, path, Agreed::default())),
+        None => ask(ctx, state, Purpose::Save),
     }
 }
 
@@ -119,7 +141,7 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
 /// to choose from, so it asks only for the name of a figure.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     // A figure made from a card has words of its own.
-    let asks_title = matches!(purpose, Purpose::Save(_)) && state.model.desk.shown.shipped_name().is_some();
+    let asks_title = matches!(purpose, Purpose::Save) && state.model.desk.shown.shipped_name().is_some();
     if asks_title && state.file_flow.titled != Some(state.model.desk.shown.id()) {
         let form = TitleForm::of(&state.model, Some(purpose));
         state.file_flow.dialog = Some(Dialog::Title(form));
@@ -127,7 +149,7 @@ pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     }
     let kind = FileKind::of(state, &purpose);
     let hands_out = state.model.in_browser && kind.wanted == Wanted::NewFile;
-    if hands_out && !matches!(purpose, Purpose::Save(_)) {
+    if hands_out && !matches!(purpose, Purpose::Save) {
         chosen(ctx, state, purpose, kind.proposal());
     } else if state.file_flow.native && !hands_out {
         // The shell opens the dialog, in front of its window.
@@ -170,7 +192,7 @@ fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
         (FileAnswer::Cancelled, _) => {}
         // The next question may have a dialog again.
         (FileAnswer::Unavailable, purpose) => ask_in_window(state, purpose),
-        (FileAnswer::Chosen(path), Purpose::Open) if !is_same => begin(ctx, state, AfterSave::OpenPath(path)),
+        (FileAnswer::Chosen(path), Purpose::Open) if !is_same => begin(ctx, state, Intent::OpenPath(path)),
         (FileAnswer::Chosen(path), purpose) if is_same || !purpose.is_about_figure() => {
             chosen(ctx, state, purpose, path);
         }
@@ -213,9 +235,9 @@ pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
 pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path, agreed: Agreed) {
     match purpose {
         Purpose::Open => open(ctx, state, path),
-        Purpose::Save(then) => write(ctx, state, Save { path: path.to_owned(), then, agreed, with_files: false }),
+        Purpose::Save => write(ctx, state, Save::of(state, path.to_owned(), agreed)),
         Purpose::SaveWithFiles => {
-            write(ctx, state, Save { path: path.to_owned(), then: None, agreed, with_files: true });
+            write(ctx, state, Save { with_files: true, ..Save::of(state, path.to_owned(), agreed) });
         }
         Purpose::Export(_)
         | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_) | FileFor::Progress)
@@ -223,7 +245,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         | Purpose::Step
         | Purpose::NewLesson
         | Purpose::OwnLesson
-        | Purpose::LessonText(_)
+        | Purpose::LessonText
             if !agreed.read_only && files::is_read_only(path) =>
         {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
@@ -239,13 +261,13 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::NewLesson => {
             state.learn.add_step(&mut state.model, path, agreed.overwrite());
             if state.learn.file.as_deref() == Some(path) {
-                begin(ctx, state, AfterSave::WriteRecorded);
+                begin(ctx, state, Intent::WriteRecorded);
             }
         }
         Purpose::OwnLesson => state.learn.copy_lesson(&mut state.model, path, agreed.overwrite()),
-        Purpose::LessonText(next) => {
+        Purpose::LessonText => {
             if state.learn.save_text_as(&mut state.model, path, agreed.overwrite()) {
-                begin(ctx, state, next);
+                go_on(ctx, state);
             }
         }
         Purpose::For(FileFor::Chart(block)) => {
@@ -319,7 +341,7 @@ fn take_content(ctx: &egui::Context, state: &mut State, patience: Duration) {
     match content {
         // The user changed the figure after the question about changes.
         Content::Lesson(path, _) | Content::Figure(path, _) if is_changed && state.model.is_unsaved() => {
-            begin(ctx, state, AfterSave::OpenPath(path));
+            begin(ctx, state, Intent::OpenPath(path));
         }
         Content::Lesson(path, lesson) => opening::lesson(state, path, lesson),
         Content::Figure(path, figure) => opening::figure(state, path, figure),
@@ -341,8 +363,8 @@ pub fn keep_mine(file_flow: &mut FileFlow) {
 }
 
 /// Asks about the content of another program in the figure's file.
-pub fn ask_about(file_flow: &mut FileFlow, theirs: Theirs, then: Option<AfterSave>) {
-    file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
+pub fn ask_about(file_flow: &mut FileFlow, theirs: Theirs) {
+    file_flow.dialog = Some(Dialog::Changed(Changed { theirs, comparison: None }));
 }
 
 /// The text that saving would write into the figure's own file.
@@ -378,7 +400,7 @@ fn write(ctx: &egui::Context, state: &mut State, save: Save) {
 fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
     let Some((save, of, saved)) = state.file_flow.saving.take(patience) else { return };
     let is_shown = of == Some(state.model.desk.shown.id());
-    let Save { path, then, agreed, with_files } = save;
+    let Save { path, agreed, with_files, for_errand } = save;
     match saved {
         Saved::Done(done) => {
             let (figure, renamed, text) = *done;
@@ -392,17 +414,14 @@ fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
             say_saved(&mut state.model, path);
             if is_shown {
                 (state.file_flow.theirs, state.file_flow.decided) = (None, None);
-                match then {
-                    // What was changed meanwhile isn't in the file.
-                    Some(then) if state.model.desk.shown.is_changed() => begin(ctx, state, then),
-                    Some(then) => go_on(ctx, state, then),
-                    None => {}
+                if for_errand {
+                    go_on(ctx, state);
                 }
             }
         }
-        Saved::Changed(theirs) if is_shown => ask_about(&mut state.file_flow, theirs, then),
+        Saved::Changed(theirs) if is_shown => ask_about(&mut state.file_flow, theirs),
         Saved::ReadOnly if is_shown => {
-            let purpose = if with_files { Purpose::SaveWithFiles } else { Purpose::Save(then) };
+            let purpose = if with_files { Purpose::SaveWithFiles } else { Purpose::Save };
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path, agreed));
         }
         Saved::Changed(_) | Saved::ReadOnly => state.model.say(Message::OtherFigure(path)),
@@ -440,7 +459,11 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     take_content(ctx, state, Duration::ZERO);
     take_saved(ctx, state, Duration::ZERO);
     take_exports(ctx, &mut state.model, &mut state.file_flow);
-    if !state.file_flow.is_closing() {
+    if !state.file_flow.serves_errand() {
+        // The user has left the question, or the file can't be written.
+        state.model.desk.reply(Reply::Cancel);
+    }
+    if !state.is_closing() {
         state.model.desk.keep_given_up();
     }
     watch(ctx, &state.model, &mut state.file_flow);
@@ -461,7 +484,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
 
 /// Asks about the losses of closing the window. If the window stays, a dialog that was open comes back.
 fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
-    if state.file_flow.is_closing() {
+    if state.is_closing() {
         // The question has been asked.
         return;
     }
@@ -469,7 +492,7 @@ fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
     state.file_flow.asking = None;
     let document = state.model.desk.shown.id();
     state.file_flow.covered = state.file_flow.dialog.take().map(|dialog| (document, dialog));
-    begin(ctx, state, AfterSave::Quit);
+    begin(ctx, state, Intent::Quit);
 }
 
 /// Opens files that were dropped, or given to a page. The first one waits until no question is open that it would
@@ -500,7 +523,7 @@ fn take_given(ctx: &egui::Context, state: &mut State) {
 /// Opens a dropped file: a figure, or a mesh, which is added to the scene.
 fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
     if !files::has_ending(&path, MESH_ENDINGS) {
-        return begin(ctx, state, AfterSave::OpenPath(path));
+        return begin(ctx, state, Intent::OpenPath(path));
     }
     let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());
     let mut shapes = state.model.desk.shown.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());

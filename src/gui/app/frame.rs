@@ -22,7 +22,7 @@ use crate::gui::pictures::{Canvas, Inputs, motion};
 use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session_news;
 use crate::gui::why;
-use camera_lab_desk::{AfterSave, Kept, Model, PanelHover, Side};
+use camera_lab_desk::{Intent, Kept, Model, PanelHover, Side};
 use camera_lab_words::window::{self, Texts};
 
 /// Below this width, in points, there is room for only one panel beside the pictures.
@@ -274,7 +274,7 @@ impl App {
         let Some(sessions) = &mut self.sessions else { return };
         let decision = recovery::list(ui, self.state.model.settings.lang, sessions.left());
         match decision {
-            Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, AfterSave::Restore(slot)),
+            Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, Intent::Restore(slot)),
             Some(Decision::Discard(slot)) => sessions.discard(slot),
             None => {}
         }

@@ -18,7 +18,7 @@ use crate::gui::learn::exercises::list;
 use crate::gui::why;
 use crate::lessons::{OpenLesson, shipped};
 use crate::limits::MAX_TYPED_NAME;
-use camera_lab_desk::{AfterSave, Model, Side, Tab};
+use camera_lab_desk::{Intent, Model, Side, Tab};
 use camera_lab_files::SHIPPED_FIGURES;
 use camera_lab_words::learn::exercises as exercise_words;
 use camera_lab_words::why::{explain as explain_words, notes};
@@ -323,11 +323,11 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
             let entry = state.learn.exercises.entry(&id).cloned();
             entry.iter().for_each(|entry| list::open(&mut state.learn.exercises, entry));
         }
-        Target::Figure(name) => file_flow::begin(ctx, state, AfterSave::Shipped(name)),
+        Target::Figure(name) => file_flow::begin(ctx, state, Intent::Shipped(name)),
         Target::Step(place, step) => {
             if let Some(shipped) = shipped().get(place) {
                 let open = OpenLesson { lesson: shipped.lesson.clone(), path: None, step };
-                file_flow::begin(ctx, state, AfterSave::Lesson(open));
+                file_flow::begin(ctx, state, Intent::Lesson(open));
             }
         }
     }

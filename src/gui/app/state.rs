@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::camera::CameraError;
 use crate::figure::Figure;
 use crate::gui::Start;
-use crate::gui::app::file_flow::questions::FileFlow;
+use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
 use crate::gui::app::search_state::Search;
 use crate::gui::export::Export;
 use crate::gui::export::family_choice::FamilyChoice;
@@ -16,7 +16,7 @@ use crate::gui::pictures::annotations::Annotations;
 use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::why::state::explain::Explain;
 use crate::views::{View, Views};
-use camera_lab_desk::{CameraList, Desk, Document, Memo, Model, PhotographTool, Recent};
+use camera_lab_desk::{CameraList, Desk, Document, Intent, Memo, Model, PhotographTool, Recent};
 use camera_lab_files::share::ShareError;
 use camera_lab_files::{SourceFile, figure_from};
 
@@ -116,6 +116,12 @@ impl State {
             state.model.actions.clear();
         }
         Ok(state)
+    }
+
+    /// True from the first question about closing the window, until the user answers one with *Cancel*.
+    pub(in crate::gui) fn is_closing(&self) -> bool {
+        let FileFlow { may_close, dialog, .. } = &self.file_flow;
+        *may_close || *dialog == Some(Dialog::Closing) || self.model.desk.errand() == Some(&Intent::Quit)
     }
 
     /// True if closing the window would lose something.

@@ -19,7 +19,7 @@ use crate::gui::learn::lesson::state::Playing;
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 use camera_lab_desk::layout::{self};
-use camera_lab_desk::{AfterSave, Message, ObserverChange, Panels, Side};
+use camera_lab_desk::{Intent, Message, ObserverChange, Panels, Side};
 use camera_lab_files::{self as files, Overwrite};
 use camera_lab_words::learn::{handouts, lessons};
 use camera_lab_words::window::Texts;
@@ -77,16 +77,15 @@ pub const MENUS: &[Menu] = &[
         in_bar: true,
         groups: &[
             &[
-                row!(New, ctrl(Key::N), new, new_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::New))
-                    .browsers_keys(),
+                row!(New, ctrl(Key::N), new, new_hint, |s, ctx| file_flow::begin(ctx, s, Intent::New)).browsers_keys(),
                 row!(Gallery, ctrl(Key::G), gallery, gallery_hint, |s, _| show_dialog(s, Dialog::Gallery)),
-                row!(Open, ctrl(Key::O), open, open_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Open)),
+                row!(Open, ctrl(Key::O), open, open_hint, |s, ctx| file_flow::begin(ctx, s, Intent::Open)),
                 row!(Recent, ctrl_shift(Key::O), recent, recent_hint, |s, _| show_recent(s)).not_in_browser(),
             ],
             &[
                 row!(Save, ctrl(Key::S), save, save_hint, save),
                 row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, |s, ctx| {
-                    file_flow::ask(ctx, s, Purpose::Save(None));
+                    file_flow::ask(ctx, s, Purpose::Save);
                 }),
                 row!(SaveWithFiles, ctrl_shift(Key::F), save_with_files, save_with_files_hint, |s, ctx| {
                     file_flow::ask(ctx, s, Purpose::SaveWithFiles);
@@ -107,7 +106,7 @@ pub const MENUS: &[Menu] = &[
                 row!(ExerciseSheet, alt(Key::K), handouts::sheet, sheet_hint, |s, _| show_handout(s, false)),
                 row!(CopyLink, ctrl(Key::K), sharing::copy_link, copy_link_hint, |s, _| show_dialog(s, Dialog::Link)),
             ],
-            &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Quit))
+            &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, Intent::Quit))
                 .not_in_browser()],
         ],
     },
@@ -283,7 +282,7 @@ pub const MENUS: &[Menu] = &[
                     .not_in_browser()
                     .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
                 row!(LeaveLesson, alt(Key::W), lessons::leave, leave_hint, |s, ctx| {
-                    file_flow::begin(ctx, s, AfterSave::LeaveLesson);
+                    file_flow::begin(ctx, s, Intent::LeaveLesson);
                 })
                 .in_lesson(),
             ],
@@ -403,7 +402,7 @@ fn write_lesson(state: &mut State, ctx: &Context) {
     if state.learn.lesson.is_none() && state.learn.file.is_none() {
         file_flow::ask(ctx, state, Purpose::NewLesson);
     } else if state.learn.lesson.is_none() {
-        file_flow::begin(ctx, state, AfterSave::WriteRecorded);
+        file_flow::begin(ctx, state, Intent::WriteRecorded);
     } else if state.learn.plays_own_lesson(&state.model) {
         state.learn.write_lesson(&mut state.model);
     } else {
@@ -427,7 +426,7 @@ fn save(state: &mut State, ctx: &Context) {
                 state.model.say(Message::Saved(path));
             }
         }
-        None => file_flow::save(ctx, state, None),
+        None => file_flow::save(ctx, state),
     }
 }
 

@@ -6,7 +6,7 @@ use crate::gui::app::file_flow;
 use crate::gui::app::state::State;
 use crate::gui::kit::{Explained, with_room_before};
 use crate::sanitize;
-use camera_lab_desk::AfterSave;
+use camera_lab_desk::Intent;
 use camera_lab_words::window;
 
 /// Shows the bar, if there is something to report.
@@ -24,9 +24,9 @@ pub(crate) fn bar(ui: &mut egui::Ui, state: &mut State) {
         ui.horizontal(|ui| {
             with_room_before(ui, told, |ui| {
                 if changed && ui.button(t.compare).explained(t.compare_hint).clicked() {
-                    file_flow::ask_about(&mut state.file_flow, theirs, None);
+                    file_flow::ask_about(&mut state.file_flow, theirs);
                 } else if !changed && ui.button(t.reload).explained(t.reload_hint).clicked() {
-                    file_flow::begin(ui.ctx(), state, AfterSave::Reload);
+                    file_flow::begin(ui.ctx(), state, Intent::Reload);
                 }
                 if ui.button(t.keep_mine).explained(t.keep_mine_hint).clicked() {
                     file_flow::keep_mine(&mut state.file_flow);

@@ -59,7 +59,7 @@ impl FileKind {
             Purpose::Open | Purpose::For(FileFor::CompareWith) => {
                 file(t.open_title, t.open_action, t.figure_filter, &FIGURE_ENDINGS[..])
             }
-            Purpose::Save(_) | Purpose::SaveWithFiles => {
+            Purpose::Save | Purpose::SaveWithFiles => {
                 let filters = vec![(t.figure_filter.to_owned(), &["toml"][..])];
                 new_file(t.save_title, filters, figure.with_extension("toml").display().to_string())
             }
@@ -83,7 +83,7 @@ impl FileKind {
                 filters.extend(PictureFormat::ALL.map(|of| format(film.strip, of)));
                 new_file(t.export_title, filters, format!("{stem}-{}.gif", decomposition.name()))
             }
-            Purpose::Step | Purpose::NewLesson | Purpose::OwnLesson | Purpose::LessonText(_) => {
+            Purpose::Step | Purpose::NewLesson | Purpose::OwnLesson | Purpose::LessonText => {
                 let t = lessons::texts(lang);
                 let filters = vec![(t.lesson.to_owned(), &["toml"][..])];
                 let copied = state.learn.lesson.as_ref().filter(|_| !purpose.adds_step());
@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn endings_are_appended_once() {
         let state = State::new(Start::default()).expect("a camera");
-        let kind = FileKind::of(&state, &Purpose::Save(None));
+        let kind = FileKind::of(&state, &Purpose::Save);
         for (given, made) in [("a", "a.toml"), ("a.toml", "a.toml"), ("a.TOML", "a.TOML"), ("v1.2", "v1.2.toml")] {
             assert_eq!(kind.with_ending(PathBuf::from(given)), PathBuf::from(made));
         }

@@ -15,7 +15,7 @@ use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::handout::pages::PagesPreview;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
 use crate::sanitize;
-use camera_lab_desk::{AfterSave, Comparison, FileFor, Message, NewsList, Revision, Running, Watch};
+use camera_lab_desk::{Comparison, FileFor, Message, NewsList, Revision, Running, Watch};
 use camera_lab_words::window::scenes;
 use camera_lab_words::{Lang, window};
 
@@ -24,8 +24,8 @@ use camera_lab_words::{Lang, window};
 pub enum Purpose {
     /// To open it.
     Open,
-    /// To save the figure in it, and then to continue.
-    Save(Option<AfterSave>),
+    /// To save the figure in it.
+    Save,
     /// To save the figure in it, and the files of the figure beside it.
     SaveWithFiles,
     /// For the feature that requested it.
@@ -40,8 +40,8 @@ pub enum Purpose {
     NewLesson,
     /// To copy a built-in lesson. The user continues writing in the copy.
     OwnLesson,
-    /// To save the lesson with the text that can't be saved in its own file, and then to continue.
-    LessonText(AfterSave),
+    /// To save the lesson with the text that can't be saved in its own file.
+    LessonText,
     /// To write a lesson or exercises as pages to print.
     Handout(HandoutForm),
 }
@@ -69,8 +69,6 @@ pub const TEXTURE_ENDINGS: &[&str] = &["png", "jpg", "jpeg", "webp"];
 pub struct Changed {
     /// The content of the file.
     pub theirs: Theirs,
-    /// The action after saving.
-    pub then: Option<AfterSave>,
     /// The differing lines, once requested.
     pub comparison: Option<Comparison>,
 }
@@ -95,9 +93,9 @@ pub(in crate::gui) type DialogKind = (Discriminant<Dialog>, Option<Discriminant<
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
     /// Unsaved changes: save them?
-    Unsaved(AfterSave),
+    Unsaved,
     /// The text of the lesson can't be saved. Forget it? The reason is in `FileFlow::refused`.
-    UnsavedText(AfterSave),
+    UnsavedText,
     /// The path of a file, as typed.
     Path(Purpose, String),
     /// The file is there already: replace it?
@@ -255,8 +253,8 @@ impl Dialog {
     /// True if closing the dialog would lose a typed text or a decision.
     pub fn is_question(&self) -> bool {
         match self {
-            Self::Unsaved(_)
-            | Self::UnsavedText(_)
+            Self::Unsaved
+            | Self::UnsavedText
             | Self::Path(..)
             | Self::Overwrite(..)
             | Self::Changed(_)
@@ -309,25 +307,18 @@ impl FileFlow {
         Self { native, ..Self::default() }
     }
 
-    /// True from the first question about closing the window, until the user answers one with *Cancel*.
-    pub(in crate::gui) fn is_closing(&self) -> bool {
-        let closes = |next: &AfterSave| *next == AfterSave::Quit;
-        let saves = |purpose: &Purpose| matches!(purpose, Purpose::Save(Some(next)) | Purpose::LessonText(next) if closes(next));
-        let asked = match &self.dialog {
-            Some(Dialog::Closing) => true,
-            Some(Dialog::Unsaved(next) | Dialog::UnsavedText(next)) => closes(next),
+    /// True while a question, a dialog of the system or a file keeps the intent of the user waiting.
+    pub(in crate::gui) fn serves_errand(&self) -> bool {
+        let saves = |purpose: &Purpose| matches!(purpose, Purpose::Save | Purpose::LessonText);
+        let asks = match &self.dialog {
+            Some(Dialog::Unsaved | Dialog::UnsavedText | Dialog::Changed(_)) => true,
             Some(Dialog::Path(purpose, _) | Dialog::Overwrite(purpose, _) | Dialog::ReadOnly(purpose, ..)) => {
                 saves(purpose)
             }
             Some(Dialog::Title(form)) => form.then.as_ref().is_some_and(saves),
-            Some(Dialog::Changed(changed)) => changed.then.as_ref().is_some_and(closes),
-            // No action follows the answer to any other question.
             Some(_) | None => false,
         };
-        asked
-            || self.may_close
-            || self.saving.then().any(closes)
-            || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
+        asks || self.saving.serves_errand() || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
     }
 
     /// The files being written or read, each in a sentence, and their progress.

@@ -131,7 +131,7 @@ mod tests {
     use crate::gui::app::file_flow::{begin, poll};
     use crate::gui::app::state::State;
     use crate::testing::{Directory, Stall};
-    use camera_lab_desk::action::AfterSave;
+    use camera_lab_desk::action::Intent;
 
     /// Opens a file that takes longer than a frame. Meanwhile the user does something else.
     fn opened_slowly(name: &str, meanwhile: fn(&egui::Context, &mut State)) -> (PathBuf, State) {
@@ -140,7 +140,7 @@ mod tests {
         std::fs::write(&path, "[camera]\nnear = 0.5\n").unwrap();
         state.file_flow.reading.patience = Duration::ZERO;
         let stall = Stall::of(&path);
-        begin(&ctx, &mut state, AfterSave::OpenPath(path.clone()));
+        begin(&ctx, &mut state, Intent::OpenPath(path.clone()));
         assert_eq!(state.model.desk.shown.path(), None, "the window goes on while it's read");
         meanwhile(&ctx, &mut state);
         drop(stall);
@@ -166,7 +166,8 @@ mod tests {
             |_: &egui::Context, state: &mut State| state.model.desk.shown.edit(|figure| figure.image.width = 300);
         let (path, state) = opened_slowly("changed", change);
         assert_eq!(state.model.desk.shown.figure().image.width, 300);
-        assert_eq!(state.file_flow.dialog, Some(Dialog::Unsaved(AfterSave::OpenPath(path))));
+        assert_eq!(state.file_flow.dialog, Some(Dialog::Unsaved));
+        assert_eq!(state.model.desk.errand(), Some(&Intent::OpenPath(path)));
     }
 
     #[test]
@@ -179,17 +180,17 @@ mod tests {
         let (ctx, mut state) = (egui::Context::default(), State::new(Start::default()).unwrap());
         let stall = Stall::of(&slow);
         state.file_flow.reading.patience = Duration::ZERO;
-        begin(&ctx, &mut state, AfterSave::OpenPath(slow));
+        begin(&ctx, &mut state, Intent::OpenPath(slow));
         assert_eq!(state.model.desk.shown.path(), None);
         state.file_flow.reading.patience = Duration::from_secs(60);
-        begin(&ctx, &mut state, AfterSave::OpenPath(quick.clone()));
+        begin(&ctx, &mut state, Intent::OpenPath(quick.clone()));
         assert_eq!(state.model.desk.shown.path(), Some(&quick));
         drop(stall);
     }
 
     #[test]
     fn a_figure_opened_while_a_file_is_read_stays() {
-        let (_, state) = opened_slowly("late", |ctx, state| begin(ctx, state, AfterSave::Shipped("house")));
+        let (_, state) = opened_slowly("late", |ctx, state| begin(ctx, state, Intent::Shipped("house")));
         assert_eq!(state.model.desk.shown.shipped_name(), Some("house"));
     }
 }

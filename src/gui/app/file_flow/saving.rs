@@ -8,9 +8,10 @@ use eframe::egui;
 
 use crate::clock;
 use crate::figure::{Figure, update};
+use crate::gui::app::state::State;
 use crate::progress::Progress;
 use camera_lab_desk::background::worker::{self};
-use camera_lab_desk::{AfterSave, Model, Revision, Worker};
+use camera_lab_desk::{Model, Revision, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
 
 /// Time that a frame waits for the file. On a disk of this machine it's written by then.
@@ -97,11 +98,18 @@ impl ToSave {
 #[derive(Clone, Debug)]
 pub(super) struct Save {
     pub(super) path: PathBuf,
-    /// The action that follows.
-    pub(super) then: Option<AfterSave>,
     pub(super) agreed: Agreed,
     /// True if the files of the figure are written too.
     pub(super) with_files: bool,
+    /// True if an intent of the user waits for it.
+    pub(super) for_errand: bool,
+}
+
+impl Save {
+    /// The figure into this file.
+    pub(super) fn of(state: &State, path: PathBuf, agreed: Agreed) -> Self {
+        Self { path, agreed, with_files: false, for_errand: state.model.desk.errand().is_some() }
+    }
 }
 
 /// A save that is under way.
@@ -151,11 +159,12 @@ impl Saving {
         self.running.push(Running { worker, save, document: Some(document.id()) });
     }
 
-    /// Saves a document once the file isn't being written any more. The last request counts, with the action of any.
+    /// Saves a document once the file isn't being written any more. The last request counts. An intent waits for it if
+    /// one waited for any.
     pub(super) fn queue(&mut self, save: Save, document: Revision) {
         let before = self.queued.iter().position(|(other, of)| other.path == save.path && *of == document);
-        let then = before.and_then(|place| self.queued.remove(place).0.then);
-        self.queued.push((Save { then: save.then.clone().or(then), ..save }, document));
+        let before = before.is_some_and(|place| self.queued.remove(place).0.for_errand);
+        self.queued.push((Save { for_errand: save.for_errand || before, ..save }, document));
     }
 
     /// A queued save of this document whose file isn't being written any more.
@@ -176,10 +185,10 @@ impl Saving {
         self.running.iter().any(|running| running.save.path == path)
     }
 
-    /// The actions that follow.
-    pub(super) fn then(&self) -> impl Iterator<Item = &AfterSave> {
-        let queued = self.queued.iter().filter_map(|(save, _)| save.then.as_ref());
-        self.running.iter().filter_map(|running| running.save.then.as_ref()).chain(queued)
+    /// True if an intent of the user waits for a file.
+    pub(super) fn serves_errand(&self) -> bool {
+        let queued = self.queued.iter().map(|(save, _)| save);
+        self.running.iter().map(|running| &running.save).chain(queued).any(|save| save.for_errand)
     }
 
     /// A result with its purpose and its document, once it's there. `None` in place of the document if it has been

@@ -21,7 +21,7 @@ use crate::gui::app::file_flow;
 use crate::gui::platform::native;
 use crate::gui::{App, GuiError, LaunchOptions, Start, State, fresh};
 use crate::scene::import::MESH_ENDINGS;
-use camera_lab_desk::AfterSave;
+use camera_lab_desk::Intent;
 use camera_lab_files::disk::page::KEPT;
 use camera_lab_files::share;
 use camera_lab_files::{self as files, SourceFile};
@@ -189,7 +189,7 @@ impl Page {
         }
         if let Some(open) = asked.open_lesson() {
             // If the user left changes here, the link replaces the figure only after a question.
-            file_flow::begin(ctx, &mut app.state, AfterSave::Lesson(open));
+            file_flow::begin(ctx, &mut app.state, Intent::Lesson(open));
         }
         if let Some(error) = fault {
             app.state.model.say(camera_lab_desk::message::Message::File(PathBuf::new(), error));

@@ -12,7 +12,7 @@ use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::kit::{Explained, choice, color_of, export_button, keep_in_sight};
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
-use camera_lab_desk::{Action, AfterSave, Model};
+use camera_lab_desk::{Action, Intent, Model};
 use camera_lab_words::why::numerics as words;
 
 /// Interval between looks at the progress.
@@ -59,7 +59,7 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
         });
     });
     if let Some(text) = opened.and_then(|row: Row| row.figure) {
-        model.actions.push(Action::Begin(AfterSave::Text(text)));
+        model.actions.push(Action::Begin(Intent::Text(text)));
     }
 }
 

@@ -10,7 +10,7 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::writing::StepChange;
 use crate::lessons::TaskKind;
 use crate::limits::{MAX_TITLE, MAX_TYPED};
-use camera_lab_desk::{Action, AfterSave, Model};
+use camera_lab_desk::{Action, Intent, Model};
 use camera_lab_words::learn::lesson_tasks;
 use camera_lab_words::learn::lessons::Texts;
 use camera_lab_words::{Lang, messages, told_mut};
@@ -44,7 +44,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn
         asks = button.explained(task.new_question_hint).explained_disabled(task.has_task).clicked();
         ui.separator();
         if ui.button(t.read_again).explained(t.read_again_hint).clicked() {
-            model.actions.push(Action::Begin(AfterSave::ReadLesson));
+            model.actions.push(Action::Begin(Intent::ReadLesson));
         }
         ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
     });

@@ -5,7 +5,7 @@ use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, Ui};
 use crate::gui::kit::{Explained, at_right, prose};
 use crate::gui::learn::Learn;
 use crate::lessons::{OpenLesson, shipped};
-use camera_lab_desk::{Action, AfterSave, Model};
+use camera_lab_desk::{Action, Intent, Model};
 use camera_lab_words::learn::lessons as words;
 use camera_lab_words::{told, window};
 
@@ -78,6 +78,6 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
     let close = ui.horizontal(|ui| at_right(ui, |ui| ui.button(window::texts(lang).close))).inner;
     let closes = close.clicked() || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
     let stays = chosen.is_none() && !closes;
-    model.actions.extend(chosen.map(|open| Action::Begin(AfterSave::Lesson(open))));
+    model.actions.extend(chosen.map(|open| Action::Begin(Intent::Lesson(open))));
     stays
 }
