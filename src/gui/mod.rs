@@ -16,7 +16,6 @@ use crate::lessons::OpenLesson;
 pub use app::App;
 pub use app::launch_options::LaunchOptions;
 pub use app::state::State;
-use camera_lab_desk::{Intent, News};
 use camera_lab_files::SourceFile;
 use camera_lab_words::Lang;
 use std::path::PathBuf;
@@ -88,9 +87,9 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
                 app.keep_preferences(&context.egui_ctx, folders.config_dir(), asked);
                 app.keep_session(folders.data_dir(), restore);
             } else {
-                app.state.file_flow.news.tell(News::NoHome);
+                app.state.file_flow.news.tell(camera_lab_desk::News::NoHome);
             }
-            let opened = lesson.map(Intent::Lesson).or(later.map(Intent::OpenPath));
+            let opened = lesson.map(camera_lab_desk::Intent::Lesson).or(later.map(camera_lab_desk::Intent::OpenPath));
             if let Some(open) = opened {
                 app::file_flow::begin(&context.egui_ctx, &mut app.state, open);
             }

@@ -548,7 +548,7 @@ fn forms_keep_what_you_typed_and_chose() {
     }
     // Another title, and it begins with that one.
     window.app_mut().state.model.desk.shown.edit(|figure| {
-        figure.title = Some(camera_lab::figure::Bilingual { en: "Other".to_owned(), pt_br: "Outro".to_owned() });
+        figure.title = Some(camera_lab::figure::Localized::from(["Other".to_owned(), "Outro".to_owned()]));
     });
     window.command_key(Key::I);
     let field = window.harness.get_by_role_and_label(Role::TextInput, &title);

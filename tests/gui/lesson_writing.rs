@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 
 use camera_lab::exercises::{Ask, judge_answer, read_answer};
-use camera_lab::figure::Bilingual;
+use camera_lab::figure::Localized;
 use camera_lab::gui::{Start, State};
 use camera_lab::lessons::{Lesson, OpenLesson, Task, shipped, with_step};
 use camera_lab_files::read_lesson;
@@ -528,7 +528,7 @@ fn a_step_in_one_language_shows_it_in_the_other_until_it_has_its_own() {
     let figure = camera_lab_desk::document::fresh();
     let (text, lesson) = with_step("", "mine", &words::draft(Lang::PtBr, 1), &figure).unwrap();
     let step = &lesson.steps[0];
-    assert_eq!((step.text.clone(), step.title.en.as_str()), (Bilingual::default(), "Passo 1"));
+    assert_eq!((step.text.clone(), step.title.en.as_str()), (Localized::default(), "Passo 1"));
     std::fs::write(&path, text).unwrap();
     let mut window = playing_in(&path, 0, Lang::PtBr);
     write(&mut window);
@@ -541,7 +541,7 @@ fn a_step_in_one_language_shows_it_in_the_other_until_it_has_its_own() {
     window.click_in_dialog("English");
     type_into(&mut window, t.step_text_field, "A pyramid.");
     pause(&mut window);
-    assert_eq!(step().text, Bilingual { en: "A pyramid.".to_owned(), pt_br: "Uma pirâmide.".to_owned() });
+    assert_eq!(step().text, Localized::from(["A pyramid.".to_owned(), "Uma pirâmide.".to_owned()]));
     assert_eq!(step().title.en, "Olhar");
     type_into(&mut window, t.step_text_field, "");
     window.harness.key_press(Key::Backspace);

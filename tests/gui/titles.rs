@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use camera_lab::figure::Bilingual;
+use camera_lab::figure::Localized;
 use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab_files::read_lesson;
 use camera_lab_words::Lang;
@@ -35,7 +35,7 @@ fn title_and_caption_are_typed_in_one_language_or_in_both_and_undone() {
     window.run();
     window.click(t.title_action);
     let figure = window.state().model.desk.shown.figure();
-    let both = |text: &str| Some(Bilingual { en: text.to_owned(), pt_br: text.to_owned() });
+    let both = |text: &str| Some(Localized::from([text.to_owned(), text.to_owned()]));
     assert_eq!((figure.title.clone(), figure.caption.clone()), (both("My camera"), both("What it sees")));
     window.command_key(Key::Z);
     assert_eq!(window.state().model.desk.shown.figure().title, None);
@@ -50,7 +50,7 @@ fn title_and_caption_are_typed_in_one_language_or_in_both_and_undone() {
     window.run();
     window.key(Key::Enter);
     let title = window.state().model.desk.shown.figure().title.clone();
-    assert_eq!(title, Some(Bilingual { en: "My camera".to_owned(), pt_br: "Minha câmera".to_owned() }));
+    assert_eq!(title, Some(Localized::from(["My camera".to_owned(), "Minha câmera".to_owned()])));
 }
 
 /// A figure that was made of a card doesn't keep the card's words: saving it asks for its own.
@@ -169,7 +169,7 @@ fn no_title_is_lost_on_the_way_into_a_lesson() {
     let folder = Folder::new("title-of-step");
     let path = folder.file("lesson.toml");
     let mut window = Window::new(Lang::En);
-    let both = |text: &str| Bilingual { en: text.to_owned(), pt_br: text.to_owned() };
+    let both = |text: &str| Localized::from([text.to_owned(), text.to_owned()]);
     entitle(&mut window, "My camera");
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::A);
     window.run();

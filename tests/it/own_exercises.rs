@@ -62,7 +62,7 @@ fn a_file_at_fault_is_told_by_line_key_and_what_is_allowed() {
     for (text, parts) in [
         (whole(PLAIN.replace("id = \"mine\"\n", "")), &["id ", "64"][..]),
         (whole(PLAIN.replace("mine", "my own")), &["1", "id", "\"my own\""]),
-        (whole(PLAIN.replace("\"Mine\"", "{ en = \"Mine\", de = \"Meine\" }")), &["2", "title", "pt-BR"]),
+        (whole(PLAIN.replace("\"Mine\"", "{ en = \"Mine\", pt = \"Meu\" }")), &["2", "title", "pt-BR"]),
         (PLAIN.to_owned(), &["ask"]),
         (whole(PLAIN.replace("position", "positoin")), &["5", "[figure.camera] positoin", "position"]),
         (whole(format!("ops = [\"azimut=30\"]\n{PLAIN}")), &["1", "ops", "azimuth=30"]),

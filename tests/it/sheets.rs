@@ -8,7 +8,7 @@ use std::sync::Arc;
 use proptest::prelude::*;
 
 use camera_lab::exercises::{Exercise, Free, OwnTexts, entries, own};
-use camera_lab::figure::Bilingual;
+use camera_lab::figure::Localized;
 use camera_lab::formula;
 use camera_lab_words::Lang;
 use camera_lab_words::learn::{exercise_sheet as sheet, exercises as texts};
@@ -72,7 +72,7 @@ fn exercise(texts: &[String]) -> Exercise {
     let plain = "id = \"mine\"\ntitle = \"Mine\"\nstatement = \"Say it.\"\n";
     let asks = "[[ask]]\nname = \"a\"\ntext = \"A\"\nchoices = [\"x\", \"y\"]\nanswer = \"x\"\n[[ask]]\nname = \"b\"\ntext = \"B\"\nquantity = \"basis.u\"\n";
     let mut exercise = own::parse(&format!("{plain}{asks}")).unwrap().exercise(0, &Free::new());
-    let told = |text: &String| Bilingual { en: text.clone(), pt_br: text.clone() };
+    let told = |text: &String| Localized::from([text.clone(), text.clone()]);
     let any = |k: usize| told(&texts[k % texts.len()]);
     let statement = texts.join("\n\n");
     exercise.texts = Some(Arc::new(OwnTexts {

@@ -23,7 +23,7 @@ use crate::scene::{
     Shape, TextureError, TextureFault, TextureSource, Wanted,
 };
 use crate::views::SharedScene;
-use camera_lab_files::{self as files, Carried, FigureFiles, FileAccess};
+use camera_lab_files::{Carried, FigureFiles, FileAccess};
 
 /// More vertices and triangles than this take longer to look through than a frame has.
 const HEAVY: usize = 60_000;
@@ -135,7 +135,7 @@ impl Default for Reader {
         let read = Latest::new("meshes", || {
             // A file that stalls mustn't keep the others from being read.
             #[cfg(not(target_arch = "wasm32"))]
-            files::limit_waiting(files::reader_wait());
+            camera_lab_files::limit_waiting(camera_lab_files::reader_wait());
             async |file: &SceneFile, progress: &Progress| file.read(progress).await
         });
         Self { read, waiting: Vec::new(), bytes: BTreeMap::new() }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::figure::Bilingual;
+use crate::figure::Localized;
 use crate::lessons::TaskText;
 
 /// The text of a lesson that isn't in its file. A session stores it, and a window continues with it after a crash.
@@ -15,7 +15,7 @@ pub struct UnsavedText {
     /// The text of the file as the window last read or wrote it.
     pub text: String,
     /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as typed.
-    pub words: [Bilingual; 6],
+    pub words: [Localized; 6],
     /// The task of the step, as typed.
     pub task: TaskText,
 }

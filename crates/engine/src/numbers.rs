@@ -47,6 +47,13 @@ pub enum DecimalMark {
 }
 
 impl DecimalMark {
+    /// The mark of a language by its tag: a point in English, Chinese, Japanese, Korean, Hebrew and Thai, a comma in the
+    /// others.
+    pub fn of_language(tag: &str) -> Self {
+        let primary = tag.split('-').next().unwrap_or_default();
+        if ["en", "zh", "ja", "ko", "he", "th"].contains(&primary) { Self::Point } else { Self::Comma }
+    }
+
     /// Like [`significant`], as in print, with this mark and a true minus.
     pub fn number(self, value: f64, digits: usize) -> String {
         self.printed(&significant(value, digits))

@@ -10,9 +10,6 @@ pub use threads::{before_each_file, limit_waiting, reader_wait};
 /// The longest wait of a window's thread for a file.
 pub const WINDOW_WAIT: Duration = Duration::from_secs(2);
 
-/// The longest wait of a thread that reads the files of a figure one after the other, for one of them.
-const READER_WAIT: Duration = Duration::from_secs(10);
-
 /// Does `work` with the file of this path. A thread with a limit gives up after it, and the work ends on its own.
 ///
 /// # Errors
@@ -46,7 +43,7 @@ mod threads {
     /// The longest wait of a thread that reads the files of a figure one after the other, for one of them. A test that
     /// makes files stall has less time.
     pub fn reader_wait() -> Duration {
-        if BEFORE.get().is_some() { super::READER_WAIT / 50 } else { super::READER_WAIT }
+        Duration::from_millis(if BEFORE.get().is_some() { 200 } else { 10_000 })
     }
 
     thread_local! {

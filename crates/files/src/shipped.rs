@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use crate::figure::read::parse;
-use crate::figure::{Bilingual, Figure};
+use crate::figure::{Figure, Localized};
 
 /// The prefix of a built-in mesh in a figure: `camera-lab:teapot.obj`.
 pub const SHIPPED: &str = "camera-lab:";
@@ -88,7 +88,7 @@ impl ShippedFigure {
     }
 
     /// Its title and its caption.
-    pub fn told(self) -> [Bilingual; 2] {
+    pub fn told(self) -> [Localized; 2] {
         let place = SHIPPED_FIGURES.iter().position(|figure| figure.name == self.name);
         let figure = place.and_then(|place| FIGURES.get(place));
         figure

@@ -78,17 +78,17 @@ use camera_lab_engine::{appearance, camera, expression, limits, numbers, pipelin
 use camera_lab_figures::{explain, export, figure, formula, inspect, picture, views};
 use camera_lab_teaching::{exercises, lessons, numerics};
 
-use crate::figure::Bilingual;
+use crate::figure::Localized;
 use crate::numbers::DecimalMark;
 
 /// A text of a file, in a language.
-pub fn told(lang: Lang, text: &Bilingual) -> &str {
-    pick!(lang; &text.en, &text.pt_br)
+pub fn told(lang: Lang, text: &Localized) -> &str {
+    text.get(lang.tag())
 }
 
 /// A text of a file, to change it in a language.
-pub fn told_mut(lang: Lang, text: &mut Bilingual) -> &mut String {
-    pick!(lang; &mut text.en, &mut text.pt_br)
+pub fn told_mut(lang: Lang, text: &mut Localized) -> &mut String {
+    text.get_mut(lang.tag())
 }
 
 /// A language of the interface. Its texts are in the folder of `assets/words` with its tag.

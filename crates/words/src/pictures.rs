@@ -1,7 +1,7 @@
 //! The words in the three pictures.
 
 use super::{Lang, messages, told, window};
-use crate::figure::{Bilingual, Figure};
+use crate::figure::{Figure, Localized};
 use crate::picture::{Composite, Crowded, Metadata, NoAreas};
 use crate::stage::Stage;
 use crate::views::Labels;
@@ -110,7 +110,7 @@ const fn stages(lang: Lang) -> [&'static str; Stage::ALL.len()] {
 /// and a description of each picture.
 pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> Metadata {
     let own =
-        |text: &Option<Bilingual>| text.as_ref().map(|text| told(lang, text).to_owned()).filter(|t| !t.is_empty());
+        |text: &Option<Localized>| text.as_ref().map(|text| told(lang, text).to_owned()).filter(|t| !t.is_empty());
     let names = sheet.requests.iter().map(|request| canvas::texts(lang).view(request.view));
     let title = own(&figure.title).unwrap_or_else(|| names.collect::<Vec<_>>().join(", "));
     let words =

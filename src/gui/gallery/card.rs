@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::appearance::Theme;
 use crate::camera::Camera;
 use crate::export::png::figure_bytes;
-use crate::figure::{Bilingual, Figure};
+use crate::figure::{Figure, Localized};
 use crate::lessons::parse_bytes;
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
@@ -158,7 +158,7 @@ fn draw(
 /// Reads the title and caption of a figure, even if it can't be drawn. A file without a title has its name, a file
 /// without a caption its first comment.
 fn said_by(source: &Source, lang: Lang) -> CardText {
-    let in_lang = |text: &Bilingual| told(lang, text).to_owned();
+    let in_lang = |text: &Localized| told(lang, text).to_owned();
     match source {
         Source::Shipped(name) => {
             let texts = ShippedFigure::named(name).map(ShippedFigure::told).unwrap_or_default();

@@ -1,13 +1,13 @@
 //! A figure: camera parameters, image, viewport, scene, points, style, the `[reveal]` of the pipeline, observers, and
 //! the explanations in the pictures. One figure file is one `Figure`.
 
-mod bilingual;
 mod cameras;
 mod comparison;
 mod edit;
 pub mod error;
 mod keys;
 pub mod labels;
+mod localized;
 mod near;
 pub mod observer;
 mod other_side;
@@ -28,7 +28,6 @@ use glam::DVec3;
 use crate::appearance::Style;
 use crate::camera::{ImageSize, LensForm, Parameters, Projection, Viewport};
 use crate::scene::{FileUse, Preset, SceneSpec};
-pub use bilingual::Bilingual;
 pub use cameras::{CameraTag, NamedCamera};
 pub use comparison::Comparison;
 pub use edit::{Difference, difference, has, number_at, show_with, update, varied, varied_together};
@@ -37,6 +36,7 @@ pub use keys::KEYS;
 pub use labels::{
     LabelChange, LabelledMeasure, Labels, Letters, MeasureText, MovedLabel, Note, NotePlace, RenamedLabel, StyledLabel,
 };
+pub use localized::Localized;
 pub use observer::Observer;
 pub use other_side::OtherSide;
 pub use points::NamedPoint;
@@ -53,9 +53,9 @@ pub use world_look::{AXES_LENGTHS, WorldLook, WorldPart, WorldParts};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     /// `title`, of at most [`MAX_TITLE`](crate::limits::MAX_TITLE) characters.
-    pub title: Option<Bilingual>,
+    pub title: Option<Localized>,
     /// `caption`, of at most [`MAX_CAPTION`](crate::limits::MAX_CAPTION) characters.
-    pub caption: Option<Bilingual>,
+    pub caption: Option<Localized>,
     /// `[camera]`
     pub camera: Parameters,
     /// `[camera] horizontal_angle` or `lens`: the form in which the file gives θ. It's written as long as it gives the

@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec2, DVec3};
 use toml_edit::{Array, InlineTable, Item, TableLike, Value};
 
-use super::Bilingual;
+use super::Localized;
 use super::error::Allowed;
 use crate::appearance::Rgba;
 use crate::expression::{self, Dimension, ExpressionError};
@@ -222,19 +222,19 @@ pub(super) fn whole_numbers(value: &Value) -> Option<[i64; 2]> {
     Some([list.get(0)?.as_integer()?, list.get(1)?.as_integer()?])
 }
 
-/// A text for both languages. `text.en = "…"` is a table, `text = { en = "…" }` a value.
-pub(super) fn told_by(item: &Item) -> Option<[String; 2]> {
+/// A text for every language, or for some. `text.en = "…"` is a table, `text = { en = "…" }` a value.
+pub(super) fn told_by(item: &Item) -> Option<Localized> {
     match item.as_table_like() {
-        Some(table) => bilingual_in(table),
+        Some(table) => localized_in(table),
         None => item.as_value().and_then(told),
     }
 }
 
-/// A text for both languages. A missing one is the same as the other.
-pub(super) fn told(value: &Value) -> Option<[String; 2]> {
+/// A text for every language, or for some. English stands for a missing one.
+pub(super) fn told(value: &Value) -> Option<Localized> {
     match value.as_inline_table() {
-        Some(table) => bilingual_in(table),
-        None => words_of(value).map(|text| [text.clone(), text]),
+        Some(table) => localized_in(table),
+        None => words_of(value).map(|text| Localized::same(&text)),
     }
 }
 
@@ -242,28 +242,21 @@ fn words_of(value: &Value) -> Option<String> {
     value.as_str().filter(|text| !text.trim().is_empty()).map(str::to_owned)
 }
 
-fn bilingual_in(table: &dyn TableLike) -> Option<[String; 2]> {
-    let of = |key: &str| table.get(key).map(|item| item.as_value().and_then(words_of));
-    let [en, pt_br] = ["en", "pt-BR"].map(of);
-    let known = usize::from(en.is_some()) + usize::from(pt_br.is_some());
-    match (en.or(pt_br.clone())?, pt_br) {
-        (Some(en), None) if known == table.len() => Some([en.clone(), en]),
-        (Some(en), Some(Some(pt_br))) if known == table.len() => Some([en, pt_br]),
-        _ => None,
-    }
+fn localized_in(table: &dyn TableLike) -> Option<Localized> {
+    let text = |(tag, item): (&str, &Item)| Some((tag.to_owned(), item.as_value().and_then(words_of)?));
+    Localized::from_languages(table.iter().map(text).collect::<Option<_>>()?)
 }
 
 pub(super) fn vector(value: &Value, dimension: Dimension) -> Result<DVec3, Refused> {
     numbers(value, dimension).map(DVec3::from_array)
 }
 
-/// A text that's the same in both languages, or one for each.
-pub(super) fn write_told(text: &Bilingual) -> Value {
-    let Bilingual { en, pt_br } = text;
-    if en == pt_br {
-        return quoted(en);
+/// A text that's the same in every language, or one for each.
+pub(super) fn write_told(text: &Localized) -> Value {
+    if text.to_file().all(|(tag, _)| tag == "en") {
+        return quoted(&text.en);
     }
-    [("en", quoted(en)), ("pt-BR", quoted(pt_br))].into_iter().collect::<InlineTable>().into()
+    text.to_file().map(|(tag, text)| (tag, quoted(text))).collect::<InlineTable>().into()
 }
 
 /// A text in double quotes on one line. The library would take several lines for a text with a line end, and those

@@ -17,7 +17,7 @@ use crate::camera::{Camera, ParameterKey, Parameters};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::nature::Nature;
 use crate::exercises::mistakes::slip::{Slip, Slips};
-use crate::figure::{Bilingual, Figure};
+use crate::figure::{Figure, Localized};
 use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
 
 /// An exercise with its numbers.
@@ -147,7 +147,7 @@ pub struct Ask {
     /// assumptions. The others have the name of their text.
     pub readings: Vec<Reading>,
     /// The texts of a lecturer's choices, by their names.
-    pub own_choices: BTreeMap<String, Bilingual>,
+    pub own_choices: BTreeMap<String, Localized>,
     /// Wrong answers that a lecturer expects.
     pub own_mistakes: Vec<Arc<OwnMistake>>,
     /// The ways to the answer from other answers.

@@ -12,7 +12,7 @@ use super::value::Table;
 use super::{Entry, Make};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::slip::Slip;
-use crate::figure::Bilingual;
+use crate::figure::Localized;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{self, Fault, Section, at_most};
 use crate::figure::value::{POSITIVE, SWITCH, TEXT};
@@ -28,7 +28,7 @@ impl Entry {
     ///
     /// # Errors
     /// The errors of `change`.
-    pub(crate) fn with_texts<E>(&mut self, mut change: impl FnMut(&mut Bilingual) -> Result<(), E>) -> Result<(), E> {
+    pub(crate) fn with_texts<E>(&mut self, mut change: impl FnMut(&mut Localized) -> Result<(), E>) -> Result<(), E> {
         let Make::Own(exercise) = &mut self.make else { return Ok(()) };
         let exercise = Arc::make_mut(exercise);
         if let Some(texts) = &mut exercise.texts {
@@ -182,7 +182,7 @@ fn own(id: String, subject: Subject, asks: Vec<Ask>, texts: OwnTexts) -> Exercis
 pub(crate) fn question(
     section: Section<'_>,
     [told, subject]: [Subject; 2],
-    title: Bilingual,
+    title: Localized,
     faults: &mut Vec<Fault>,
 ) -> Option<Entry> {
     let mut texts = OwnTexts { title, ..OwnTexts::default() };
@@ -206,23 +206,23 @@ pub(crate) fn name(section: &mut Section<'_>, key: &'static str) -> String {
 }
 
 /// A required text.
-pub(crate) fn told(section: &mut Section<'_>, key: &'static str) -> Bilingual {
+pub(crate) fn told(section: &mut Section<'_>, key: &'static str) -> Localized {
     section.require(key, Allowed::Bilingual);
     let told = section.told(key);
     told.and_then(|texts| harmless(section, key, texts)).unwrap_or_default()
 }
 
 /// An optional list of texts.
-pub(crate) fn bilingual_list(section: &mut Section<'_>, key: &'static str) -> Vec<Bilingual> {
+pub(crate) fn bilingual_list(section: &mut Section<'_>, key: &'static str) -> Vec<Localized> {
     let all = section.bilingual_list(key);
     all.into_iter().filter_map(|texts| harmless(section, key, texts)).collect()
 }
 
 /// A text that the window can show and a sheet can set; `None`, and a fault, if it has more than words and mathematics.
-pub(crate) fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<Bilingual> {
+pub(crate) fn harmless(section: &mut Section<'_>, key: &str, texts: Localized) -> Option<Localized> {
     // Files from Windows have these line ends.
-    let texts = texts.map(|text| text.replace("\r\n", "\n"));
-    for text in &texts {
+    let texts = texts.map(|_, text| text.replace("\r\n", "\n"));
+    for (_, text) in texts.iter() {
         if text.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')) {
             section.refuse(key, Allowed::Bilingual);
             return None;
@@ -232,7 +232,7 @@ pub(crate) fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2])
             return None;
         }
     }
-    Some(texts.into())
+    Some(texts)
 }
 
 /// A question; `None`, and a fault, if it's impossible. The subjects are the one that the text describes, and the one
@@ -268,7 +268,7 @@ fn ask(
 }
 
 /// `choices`: a list of words that are the same in both languages, or a table of names, each with its text.
-fn choices(section: &mut Section<'_>) -> (Vec<String>, BTreeMap<String, Bilingual>) {
+fn choices(section: &mut Section<'_>) -> (Vec<String>, BTreeMap<String, Localized>) {
     if section.is_list("choices") || !section.is_present("choices") {
         let word = |text: &str| (!text.trim().is_empty()).then(|| text.to_owned());
         return (section.list("choices", Allowed::Texts, word), BTreeMap::new());

@@ -4,19 +4,19 @@ use std::collections::BTreeMap;
 
 use super::value::Table;
 use crate::exercises::mistakes::mistake::Mistake;
-use crate::figure::Bilingual;
+use crate::figure::Localized;
 
 /// The texts of an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OwnTexts {
     /// One line in each language.
-    pub title: Bilingual,
+    pub title: Localized,
     /// Its statement in Markdown.
-    pub statement: Bilingual,
+    pub statement: Localized,
     /// Readings of the source that the exercise chooses.
-    pub assumptions: Vec<Bilingual>,
+    pub assumptions: Vec<Localized>,
     /// The questions, by the names of the asks.
-    pub asks: BTreeMap<String, Bilingual>,
+    pub asks: BTreeMap<String, Localized>,
 }
 
 /// A wrong answer that a lecturer expects.
@@ -27,9 +27,9 @@ pub struct OwnMistake {
     /// The known mistake that it makes, if any.
     pub mistake: Option<Mistake>,
     /// The sentence for students who give this answer.
-    pub message: Bilingual,
+    pub message: Localized,
     /// Hints, weaker ones first.
-    pub hints: Vec<Bilingual>,
+    pub hints: Vec<Localized>,
 }
 
 /// An answer as a lecturer writes it.

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::numbers_in_texts::numbers_of;
 use crate::camera::{Camera, Convention, ImageSize};
 use crate::figure::variation::{Variant, VariationError, varied_by};
-use crate::figure::{Bilingual, Figure, has, number_at};
+use crate::figure::{Figure, Localized, has, number_at};
 use crate::inspect::Report;
 use crate::inspect::quantity::QuantityPath;
 use crate::numerics::diagnosis::Counter;
@@ -18,7 +18,7 @@ const SIDE: u32 = 640;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
     /// The wording, in Markdown, with `{quantity}` for the numbers of the figure.
-    pub text: Bilingual,
+    pub text: Localized,
     /// The conditions. The goal is reached if all hold.
     pub until: Vec<Condition>,
     /// Operations and keys with their values that reach the goal from the step's figure. May be empty.

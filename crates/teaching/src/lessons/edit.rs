@@ -8,7 +8,7 @@ use super::items::{number_item, told, told_if_any, told_item};
 use super::lesson::Lesson;
 use super::read::parse;
 use super::task_text::TaskText;
-use crate::figure::{Bilingual, Difference, Figure, FigureError, difference};
+use crate::figure::{Difference, Figure, FigureError, Localized, difference};
 
 /// The keys of a step that don't belong to its figure.
 const WORDS: [&str; 7] = ["title", "text", "notes", "seconds", "ask", "try", "links"];
@@ -39,9 +39,9 @@ pub enum LessonText {
 #[derive(Clone, Debug)]
 pub enum Words {
     /// For the whole lesson.
-    OfLesson(LessonText, Bilingual),
+    OfLesson(LessonText, Localized),
     /// For a step.
-    OfStep(usize, StepText, Bilingual),
+    OfStep(usize, StepText, Localized),
     /// The task of a step.
     Task(usize, Box<TaskText>),
 }
@@ -171,7 +171,7 @@ fn parts(text: &str) -> (&str, Vec<&str>) {
 
 /// The words of a step (from 0) and of its lesson as they stand in a file: title, text and notes of the step, then
 /// title and sentence of the lesson. A language without a text of its own is empty.
-pub fn words_in_file(text: &str, step: usize) -> [Bilingual; 5] {
+pub fn words_in_file(text: &str, step: usize) -> [Localized; 5] {
     let (head, steps) = parts(text);
     let document = |part: &str| part.parse::<DocumentMut>().unwrap_or_default();
     let (head, step) = (document(head), document(steps.get(step).copied().unwrap_or_default()));
@@ -207,7 +207,7 @@ fn changed_step(text: &str, change: impl FnOnce(&mut Table)) -> Option<String> {
 }
 
 /// The text of a step with new words.
-fn respoken(text: &str, which: StepText, told: &Bilingual) -> Option<String> {
+fn respoken(text: &str, which: StepText, told: &Localized) -> Option<String> {
     changed_step(text, |step| match which {
         StepText::Title => put(step, "title", told_item(told)),
         StepText::Text => put_or_remove(step, "text", told_if_any(told)),
@@ -226,7 +226,7 @@ fn redrawn(text: &str, figure: &Difference) -> Option<String> {
 }
 
 /// The text before the first step with a new text of the lesson.
-fn retold(head: &str, which: LessonText, told: &Bilingual) -> Option<String> {
+fn retold(head: &str, which: LessonText, told: &Localized) -> Option<String> {
     let mut document: DocumentMut = head.parse().ok()?;
     match which {
         LessonText::Title => put(&mut document, "title", told_item(told)),
@@ -319,7 +319,7 @@ mod tests {
     #[test]
     fn only_what_is_said_anew_changes_in_the_file() {
         let shipped = &shipped()[1];
-        let told = Bilingual { en: "Two\nlines".to_owned(), pt_br: "Duas\nlinhas".to_owned() };
+        let told = Localized::from(["Two\nlines".to_owned(), "Duas\nlinhas".to_owned()]);
         for which in [StepText::Text, StepText::Notes] {
             let (text, lesson) = reworded(shipped.text, &[Words::OfStep(2, which, told.clone())]).unwrap();
             let said =
@@ -332,17 +332,17 @@ mod tests {
             }
             assert!(figures(&lesson) == figures(&shipped.lesson));
         }
-        let (_, lesson) = reworded(shipped.text, &[Words::OfStep(2, StepText::Notes, Bilingual::default())]).unwrap();
+        let (_, lesson) = reworded(shipped.text, &[Words::OfStep(2, StepText::Notes, Localized::default())]).unwrap();
         assert_eq!(lesson.steps[2].notes, None);
     }
 
     #[test]
     fn texts_of_the_whole_lesson_change_nothing_of_its_steps() {
         let shipped = &shipped()[1];
-        let told = Bilingual { en: "Axes".to_owned(), pt_br: "Eixos".to_owned() };
-        let in_one = Bilingual { pt_br: "Uma frase".to_owned(), ..Bilingual::default() };
-        let minutes = |typed: &str| Bilingual { en: typed.to_owned(), ..Bilingual::default() };
-        let say = |text: &str, which, told: &Bilingual| reworded(text, &[Words::OfLesson(which, told.clone())]);
+        let told = Localized::from(["Axes".to_owned(), "Eixos".to_owned()]);
+        let in_one = Localized { pt_br: "Uma frase".to_owned(), ..Localized::default() };
+        let minutes = |typed: &str| Localized { en: typed.to_owned(), ..Localized::default() };
+        let say = |text: &str, which, told: &Localized| reworded(text, &[Words::OfLesson(which, told.clone())]);
         let (text, _) = say(shipped.text, LessonText::Title, &told).unwrap();
         let (text, _) = say(&text, LessonText::Sentence, &in_one).unwrap();
         let (text, lesson) = say(&text, LessonText::Minutes, &minutes("7,5")).unwrap();
@@ -355,7 +355,7 @@ mod tests {
         let comment = shipped.text.lines().next().unwrap();
         assert!(comment.starts_with('#') && text.starts_with(comment));
         // An empty text removes an optional key.
-        let (text, _) = say(&text, LessonText::Sentence, &Bilingual::default()).unwrap();
+        let (text, _) = say(&text, LessonText::Sentence, &Localized::default()).unwrap();
         let (text, lesson) = say(&text, LessonText::Minutes, &minutes(" ")).unwrap();
         assert_eq!((lesson.sentence, lesson.minutes), (None, None));
         // They're added if there were none.
@@ -366,15 +366,15 @@ mod tests {
         for refused in ["nine", "-1", "9000", "inf"] {
             assert!(say(&text, LessonText::Minutes, &minutes(refused)).is_err(), "{refused}");
         }
-        assert!(say(&text, LessonText::Title, &Bilingual::default()).is_err());
+        assert!(say(&text, LessonText::Title, &Localized::default()).is_err());
     }
 
     #[test]
     fn a_change_that_leaves_no_lesson_is_refused() {
         let shipped = &shipped()[0];
-        let unknown = Bilingual { en: "{camera.nonsense}".to_owned(), pt_br: String::new() };
+        let unknown = Localized::from(["{camera.nonsense}".to_owned(), String::new()]);
         assert!(reworded(shipped.text, &[Words::OfStep(0, StepText::Text, unknown)]).is_err());
-        assert!(reworded(shipped.text, &[Words::OfStep(0, StepText::Title, Bilingual::default())]).is_err());
+        assert!(reworded(shipped.text, &[Words::OfStep(0, StepText::Title, Localized::default())]).is_err());
         let (only, _) =
             edited("id = \"x\"\ntitle = \"x\"\n[[step]]\ntitle = \"a\"\ntext = \"a\"\n", &Edit::Remove(0)).unwrap();
         assert!(only.contains("[[step]]"), "a lesson has one step at least");

@@ -2,7 +2,7 @@
 
 use toml_edit::{Item, Value};
 
-use crate::figure::Bilingual;
+use crate::figure::Localized;
 
 /// A number as the author types it, in the notation of either language. A text that isn't a number stays a text, for
 /// the reader to judge.
@@ -17,29 +17,27 @@ pub(super) fn number_item(typed: &str) -> Option<Item> {
 }
 
 /// Like [`told_item`], but `None` for an empty text.
-pub(super) fn told_if_any(text: &Bilingual) -> Option<Item> {
-    (!text.en.is_empty() || !text.pt_br.is_empty()).then(|| told_item(text))
+pub(super) fn told_if_any(text: &Localized) -> Option<Item> {
+    (*text != Localized::default()).then(|| told_item(text))
 }
 
-/// A text in both languages. It's stored once if they're the same. A language without a text isn't stored.
-pub(super) fn told_item(text: &Bilingual) -> Item {
-    if text.en == text.pt_br {
+/// A text in several languages. It's stored once if they're the same. A language without a text isn't stored.
+pub(super) fn told_item(text: &Localized) -> Item {
+    if text.en == text.pt_br && text.others.iter().all(|(_, text)| text.is_empty()) {
         return Item::Value(text.en.as_str().into());
     }
-    let texts = [("en", &text.en), ("pt-BR", &text.pt_br)].into_iter().filter(|(_, text)| !text.is_empty());
-    Item::Value(Value::InlineTable(texts.map(|(lang, text)| (lang, text.as_str())).collect()))
+    Item::Value(Value::InlineTable(text.iter().filter(|(_, text)| !text.is_empty()).collect()))
 }
 
 /// The text of a key as it's written. A language without a text of its own is empty, and a text without a language is
-/// that of both. `None` if it's no text.
-pub(super) fn told(item: Option<&Item>) -> Option<Bilingual> {
+/// that of all. `None` if it's no text.
+pub(super) fn told(item: Option<&Item>) -> Option<Localized> {
     let item = item?;
     if let Some(text) = item.as_str() {
-        return Some(Bilingual { en: text.to_owned(), pt_br: text.to_owned() });
+        return Some(Localized::same(text));
     }
     let table = item.as_table_like()?;
-    let of = |key| table.get(key).and_then(Item::as_str).map(str::to_owned);
-    let [en, pt_br] = ["en", "pt-BR"].map(of);
-    (en.is_some() || pt_br.is_some())
-        .then(|| Bilingual { en: en.unwrap_or_default(), pt_br: pt_br.unwrap_or_default() })
+    let text = |(tag, item): (&str, &Item)| Some((tag.to_owned(), item.as_str()?.to_owned()));
+    let texts: Vec<_> = table.iter().filter_map(text).collect();
+    Localized::in_file(texts).filter(|text| *text != Localized::default() || !table.is_empty())
 }

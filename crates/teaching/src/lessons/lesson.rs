@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::condition::Goal;
 use crate::exercises::Entry;
-use crate::figure::{Bilingual, Figure};
+use crate::figure::{Figure, Localized};
 
 /// A lesson.
 #[derive(Clone, Debug, Default)]
@@ -13,15 +13,15 @@ pub struct Lesson {
     /// Its identifier: a name that's valid in a command line.
     pub id: String,
     /// One line in each language.
-    pub title: Bilingual,
+    pub title: Localized,
     /// The sentence to keep, in Markdown.
-    pub sentence: Option<Bilingual>,
+    pub sentence: Option<Localized>,
     /// Duration in minutes.
     pub minutes: Option<f64>,
     /// The learning goals, in Markdown.
-    pub aims: Vec<Bilingual>,
+    pub aims: Vec<Localized>,
     /// The plan of a class of 50 minutes for its lecturer, in Markdown.
-    pub plan: Option<Bilingual>,
+    pub plan: Option<Localized>,
     /// The questions before the lesson.
     pub pretest: Vec<Question>,
     /// The questions after it, with other numbers.
@@ -64,13 +64,13 @@ impl PartialEq for OpenLesson {
 #[derive(Clone, Debug)]
 pub struct Step {
     /// One line in each language.
-    pub title: Bilingual,
+    pub title: Localized,
     /// Its text in Markdown, with `{quantity}` for the numbers of its figure, and `{sentence}` for that of its lesson.
-    pub text: Bilingual,
+    pub text: Localized,
     /// The sentence to keep of its lesson, in Markdown.
-    pub sentence: Option<Bilingual>,
+    pub sentence: Option<Localized>,
     /// The speaker's notes, in Markdown.
-    pub notes: Option<Bilingual>,
+    pub notes: Option<Localized>,
     /// The whole figure.
     pub figure: Arc<Figure>,
     /// Seconds of the move from the step before; 0 means at once.

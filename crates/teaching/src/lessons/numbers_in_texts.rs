@@ -1,7 +1,7 @@
 //! Puts the numbers of a figure into the texts of a lesson, in place of the paths in braces.
 
 use crate::camera::Convention;
-use crate::figure::{Bilingual, Figure, ShownProbe};
+use crate::figure::{Figure, Localized, ShownProbe};
 use crate::inspect::quantity::{Numbers, QuantityPath};
 use crate::inspect::{InspectError, Report};
 use crate::numbers::{DecimalMark, significant, without_rests};
@@ -31,10 +31,9 @@ pub(super) fn pixels_of(figure: &Figure) -> Vec<[i64; 2]> {
 }
 
 /// The text with the sentence of its lesson in place of `{sentence}`, or with none while the author has removed it.
-pub fn with_sentence(text: &Bilingual, sentence: Option<&Bilingual>) -> Bilingual {
+pub fn with_sentence(text: &Localized, sentence: Option<&Localized>) -> Localized {
     const PLACE: &str = "{sentence}";
-    let [en, pt_br] = sentence.map_or(["", ""], |sentence| [&*sentence.en, &*sentence.pt_br]);
-    [text.en.replace(PLACE, en.trim()), text.pt_br.replace(PLACE, pt_br.trim())].into()
+    text.map(|tag, text| text.replace(PLACE, sentence.map_or("", |sentence| sentence.get(tag)).trim()))
 }
 
 /// The text with the numbers of a report in place of `{quantity}` and `{quantity:decimals}`, where `quantity` is a path

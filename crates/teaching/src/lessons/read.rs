@@ -12,7 +12,7 @@ use crate::exercises::{self, Entry, Kind, Subject};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{Fault, Section, Stacked, at_most, parse_with, text_of};
 use crate::figure::value::{ANGLE, NUMBER, TEXT, integer_in, number_in};
-use crate::figure::{Bilingual, Figure, FigureError, update, varied};
+use crate::figure::{Figure, FigureError, Localized, update, varied};
 use crate::inspect::Report;
 use crate::inspect::quantity::QuantityPath;
 use crate::limits::{MAX_CONDITIONS, MAX_LESSON_BYTES, MAX_LESSON_STEPS, MAX_TITLE};
@@ -26,8 +26,6 @@ const MOST_SECONDS: f64 = 20.0;
 const MOST_MINUTES: f64 = 600.0;
 /// The most questions before a lesson, and after it. More of them need more than a page.
 const MOST_QUESTIONS: usize = 12;
-/// The decimal marks of English and Portuguese.
-const MARKS: [DecimalMark; 2] = [DecimalMark::Point, DecimalMark::Comma];
 
 /// Reads the bytes of a file that holds a lesson.
 ///
@@ -84,17 +82,17 @@ fn questions(root: &mut Section<'_>, key: &'static str, faults: &mut Vec<Fault>)
 }
 
 /// A required text of one line.
-fn line(section: &mut Section<'_>, key: &'static str) -> Bilingual {
+fn line(section: &mut Section<'_>, key: &'static str) -> Localized {
     let text = told(section, key);
-    let is_line = |text: &String| text.chars().count() <= MAX_TITLE && !text.contains('\n');
-    if !(is_line(&text.en) && is_line(&text.pt_br)) {
+    let is_line = |text: &str| text.chars().count() <= MAX_TITLE && !text.contains('\n');
+    if !text.iter().all(|(_, text)| is_line(text)) {
         section.refuse(key, Allowed::BilingualLine { limit: MAX_TITLE });
     }
     text
 }
 
 /// An optional text.
-fn optional(section: &mut Section<'_>, key: &'static str) -> Option<Bilingual> {
+fn optional(section: &mut Section<'_>, key: &'static str) -> Option<Localized> {
     let texts = section.told(key)?;
     harmless(section, key, texts)
 }
@@ -102,7 +100,7 @@ fn optional(section: &mut Section<'_>, key: &'static str) -> Option<Bilingual> {
 fn step(
     mut section: Section<'_>,
     stacked: &mut Stacked,
-    sentence: Option<&Bilingual>,
+    sentence: Option<&Localized>,
     faults: &mut Vec<Fault>,
 ) -> Step {
     let title = line(&mut section, "title");
@@ -151,7 +149,7 @@ fn see(section: &mut Section<'_>, figure: &Figure) -> See {
     }
     if section.is_list("see") {
         let way = section.list("see", Allowed::Ways, way);
-        let goal = Goal { text: Bilingual::default(), until: Vec::new(), way };
+        let goal = Goal { text: Localized::default(), until: Vec::new(), way };
         let after = Camera::new(&figure.camera).ok().and_then(|camera| goal.reached_from(figure, &camera).ok());
         if let Some(after) = after.filter(|_| !goal.way.is_empty()) {
             return See::Changed(Arc::new(after.figure));
@@ -174,25 +172,25 @@ fn way(text: &str) -> Option<(String, String)> {
 fn with_numbers(
     section: &mut Section<'_>,
     key: &'static str,
-    sentence: Option<&Bilingual>,
+    sentence: Option<&Localized>,
     report: Option<&Report>,
-) -> Bilingual {
+) -> Localized {
     if !section.is_present(key) {
-        return Bilingual::default();
+        return Localized::default();
     }
-    let Some(texts) = section.told(key) else { return Bilingual::default() };
+    let Some(texts) = section.told(key) else { return Localized::default() };
     if let Some(report) = report {
-        match in_both(&with_sentence(&texts.clone().into(), sentence), report) {
+        match in_each(&with_sentence(&texts, sentence), report) {
             Ok(filled) => drop(harmless(section, key, filled)),
             Err(found) => section.fault(key, Problem::Value { found, allowed: Allowed::Quantity }),
         }
     }
-    texts.map(|text| text.replace("\r\n", "\n")).into()
+    texts.map(|_, text| text.replace("\r\n", "\n"))
 }
 
-/// A text in both languages with the numbers of a report.
-fn in_both(Bilingual { en, pt_br }: &Bilingual, report: &Report) -> Result<[String; 2], String> {
-    Ok([filled(en, report, MARKS[0])?, filled(pt_br, report, MARKS[1])?])
+/// A text in each language with the numbers of a report.
+fn in_each(text: &Localized, report: &Report) -> Result<Localized, String> {
+    text.try_map(|tag, text| filled(text, report, DecimalMark::of_language(tag)))
 }
 
 /// `[step.ask]`: an exercise of the program, or a question of its own.
@@ -200,7 +198,7 @@ fn task(
     mut section: Section<'_>,
     subject: Subject,
     see: &See,
-    (title, told, report): (&Bilingual, &Bilingual, &Report),
+    (title, told, report): (&Localized, &Localized, &Report),
     faults: &mut Vec<Fault>,
 ) -> Option<Task> {
     if section.is_present("exercise") {
@@ -221,7 +219,7 @@ fn task(
     // Coordinates that the step prints needn't be computed.
     entry.with_views_given(|point| told.en.contains(&format!("{{points.{point}.view")));
     if let Err(found) = entry.with_texts(|text| {
-        *text = in_both(text, report)?.into();
+        *text = in_each(text, report)?;
         Ok(())
     }) {
         let problem = Problem::Value { found, allowed: Allowed::Quantity };
@@ -237,7 +235,7 @@ fn question_id(entry: &Entry, figure: &Figure) -> String {
     let exercise = entry.exercise(0, &Default::default());
     // The question doesn't depend on the step's title.
     let mut content = vec![update("", &Figure { title: None, ..figure.clone() })];
-    let mut add = |text: &Bilingual| content.extend([text.en.clone(), text.pt_br.clone()]);
+    let mut add = |text: &Localized| content.extend([text.en.clone(), text.pt_br.clone()]);
     exercise.asks.iter().flat_map(|ask| ask.own_choices.values()).for_each(&mut add);
     exercise.texts.iter().flat_map(|texts| texts.asks.values()).for_each(add);
     for ask in &exercise.asks {

@@ -6,16 +6,16 @@ use super::edit::put_figure;
 use super::items::told_item;
 use super::lesson::Lesson;
 use super::read::parse;
-use crate::figure::{Bilingual, Figure, FigureError, difference};
+use crate::figure::{Figure, FigureError, Localized, difference};
 use crate::limits::MAX_EXERCISE_NAME;
 
 /// The titles of a new step, for its author to change. It has no text yet.
 #[derive(Clone, Debug)]
 pub struct Draft {
     /// The title of a lesson that doesn't have one yet.
-    pub lesson: Bilingual,
+    pub lesson: Localized,
     /// The title of the step.
-    pub title: Bilingual,
+    pub title: Localized,
 }
 
 /// The text of a lesson file with one more step, which shows `now`. An empty text becomes a lesson with the identifier
@@ -68,7 +68,7 @@ mod tests {
     use crate::lessons::shipped;
 
     fn draft() -> Draft {
-        let text = |en: &str| Bilingual { en: en.to_owned(), pt_br: format!("{en} (pt)") };
+        let text = |en: &str| Localized::from([en.to_owned(), format!("{en} (pt)")]);
         Draft { lesson: text("Lesson"), title: text("Step") }
     }
 

@@ -3,7 +3,7 @@
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use super::items::{number_item, told, told_item};
-use crate::figure::Bilingual;
+use crate::figure::Localized;
 use crate::inspect::quantity::QuantityPath;
 
 /// Number of choices in a new question.
@@ -33,7 +33,7 @@ pub struct TaskText {
     /// Its kind. Only the fields of this kind are written.
     pub kind: TaskKind,
     /// The question or the goal, in Markdown.
-    pub text: Bilingual,
+    pub text: Localized,
     /// The choices in their order.
     pub choices: Vec<ChoiceText>,
     /// The index of the right choice.
@@ -43,7 +43,7 @@ pub struct TaskText {
     /// The greatest error of a number. Empty for the program's default.
     pub tolerance: String,
     /// Wrong numbers, each with its sentence.
-    pub mistakes: Vec<(String, Bilingual)>,
+    pub mistakes: Vec<(String, Localized)>,
     /// Keys of a question that have no field, `see` and `place`, with their values from the file.
     pub kept: Vec<(String, String)>,
     /// The conditions of a goal.
@@ -62,9 +62,9 @@ pub struct ChoiceText {
     /// The name under which answers are stored.
     pub name: String,
     /// The text of the choice.
-    pub text: Bilingual,
+    pub text: Localized,
     /// The sentence shown to students who choose it. Unused for the right one.
-    pub message: Bilingual,
+    pub message: Localized,
 }
 
 /// A kind of condition.
@@ -95,7 +95,7 @@ pub struct ConditionText {
 impl TaskText {
     /// True while its author still has to fill in the question, a choice or the number.
     pub fn is_unfinished(&self) -> bool {
-        let is_blank = |text: &Bilingual| text.en.trim().is_empty() && text.pt_br.trim().is_empty();
+        let is_blank = |text: &Localized| text.iter().all(|(_, text)| text.trim().is_empty());
         match self.kind {
             TaskKind::None | TaskKind::Exercise | TaskKind::InFile => false,
             TaskKind::Choices => is_blank(&self.text) || self.choices.iter().any(|choice| is_blank(&choice.text)),
@@ -187,7 +187,7 @@ impl TaskText {
     fn put_question(&self, table: &mut Table) {
         table.insert("text", told_item(&self.text));
         let mut mistakes = ArrayOfTables::new();
-        let mut add = |answer: Option<Item>, message: &Bilingual| {
+        let mut add = |answer: Option<Item>, message: &Localized| {
             let mut mistake = Table::new();
             answer.into_iter().for_each(|answer| drop(mistake.insert("answer", answer)));
             mistake.insert("message", told_item(message));
@@ -199,7 +199,7 @@ impl TaskText {
             let mut choices = Table::new();
             for (place, choice) in self.choices.iter().enumerate() {
                 choices.insert(&choice.name, told_item(&choice.text));
-                if place != self.right && choice.message != Bilingual::default() {
+                if place != self.right && choice.message != Localized::default() {
                     add(Some(Item::Value(choice.name.as_str().into())), &choice.message);
                 }
             }
@@ -294,14 +294,14 @@ fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
     };
     only(ask, &["text", "answer", "choices", "mistake", SEE])?;
     task.kind = TaskKind::Choices;
-    let mut add = |name: &str, text: Bilingual| {
+    let mut add = |name: &str, text: Localized| {
         let place = mistakes.iter().position(|(answer, _)| answer == name);
         let message = place.map(|place| mistakes.swap_remove(place).1).unwrap_or_default();
         task.choices.push(ChoiceText { name: name.to_owned(), text, message });
     };
     if let Some(list) = choices.as_array() {
         for word in list.iter().filter_map(Value::as_str) {
-            add(word, Bilingual { en: word.to_owned(), pt_br: word.to_owned() });
+            add(word, Localized::same(word));
         }
     } else {
         choices.as_table_like()?.iter().try_for_each(|(name, text)| told(Some(text)).map(|text| add(name, text)))?;
@@ -358,8 +358,8 @@ mod tests {
 
     const HEAD: &str = "id = \"x\"\ntitle = \"x\"\n\n[[step]]\ntitle = \"a\"\ntext = \"b\"\n";
 
-    fn both(text: &str) -> Bilingual {
-        Bilingual { en: text.to_owned(), pt_br: format!("{text} (pt)") }
+    fn both(text: &str) -> Localized {
+        Localized::from([text.to_owned(), format!("{text} (pt)")])
     }
 
     fn with(task: TaskText) -> Result<Task, crate::figure::FigureError> {

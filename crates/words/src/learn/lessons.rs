@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use crate::exercises;
-use crate::figure::{Bilingual, Figure};
+use crate::figure::{Figure, Localized};
 use crate::inspect::Report;
 use crate::lessons::{self, Lesson, Question, Step, Task};
 use crate::numbers::significant;
@@ -14,7 +14,7 @@ use crate::{Lang, told_mut};
 texts!("learn/lessons");
 
 /// A text with the numbers of a figure. Left as written if the figure has none.
-pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
+pub fn filled(lang: Lang, text: &Localized, figure: &Figure) -> String {
     match lessons::numbers_of(figure) {
         Ok(report) => filled_from(lang, text, &report),
         Err(_) => told(lang, text).to_owned(),
@@ -22,7 +22,7 @@ pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
 }
 
 /// A text with the numbers of a report. Left as written if the report lacks one of them.
-pub fn filled_from(lang: Lang, text: &Bilingual, report: &Report) -> String {
+pub fn filled_from(lang: Lang, text: &Localized, report: &Report) -> String {
     let text = told(lang, text);
     lessons::filled(text, report, lang.mark()).unwrap_or_else(|_| text.to_owned())
 }
@@ -142,7 +142,7 @@ texts_with_values! {
 pub fn draft(lang: Lang, number: usize) -> lessons::Draft {
     let t = texts(lang);
     let alone = |text: String| {
-        let mut both = Bilingual::default();
+        let mut both = Localized::default();
         *told_mut(lang, &mut both) = text;
         both
     };

@@ -114,7 +114,8 @@ fn named(c: char) -> String {
 fn toml_complaint(lang: Lang, detail: &str) -> &str {
     let own = toml_complaints::texts(lang).entries();
     let mut known = toml_complaints::texts(Lang::En).entries().into_iter().zip(own);
-    known.find(|((_, english), _)| detail.starts_with(english)).map_or(detail, |(_, (_, own))| own)
+    let found = known.find(|((_, english), (_, own))| detail.starts_with(english) && own != english);
+    found.map_or(detail, |(_, (_, own))| own)
 }
 
 pub(crate) fn meant(lang: Lang, near: Option<&str>) -> String {

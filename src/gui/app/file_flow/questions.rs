@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::reading::Reading;
 use super::saving::Saving;
 pub use super::saving::{Agreed, Theirs};
-use crate::figure::Bilingual;
+use crate::figure::Localized;
 use crate::gui::export::preview::Preview;
 use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::inspector::state::compare::CompareForm;
@@ -76,10 +76,10 @@ pub struct Changed {
 /// The typed words of a figure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TitleForm {
-    pub(in crate::gui) title: Bilingual,
-    pub(in crate::gui) caption: Bilingual,
+    pub(in crate::gui) title: Localized,
+    pub(in crate::gui) caption: Localized,
     /// The words of the gallery card that the figure was made from.
-    pub(in crate::gui) of_card: [Option<Bilingual>; 2],
+    pub(in crate::gui) of_card: Box<[Option<Localized>; 2]>,
     /// The save that goes with it.
     pub(in crate::gui) then: Option<Purpose>,
     /// The file, once its name differs from the one that the title gives it.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use eframe::egui::{self, Key, Modifiers, RichText};
 
-use crate::figure::{Bilingual, Figure};
+use crate::figure::{Figure, Localized};
 use crate::gui::app::file_flow::file_kind::FileKind;
 use crate::gui::app::file_flow::questions::{Dialog, FileFlow, Purpose, TitleForm};
 use crate::gui::app::state::State;
@@ -31,9 +31,9 @@ impl TitleForm {
     pub(in crate::gui) fn of(model: &Model, then: Option<Purpose>) -> Self {
         let Figure { title, caption, .. } = model.desk.shown.figure();
         if model.desk.shown.has_words_of_card() {
-            return Self { of_card: [title.clone(), caption.clone()], then, ..Self::default() };
+            return Self { of_card: Box::new([title.clone(), caption.clone()]), then, ..Self::default() };
         }
-        let text = |text: &Option<Bilingual>| text.clone().unwrap_or_default();
+        let text = |text: &Option<Localized>| text.clone().unwrap_or_default();
         Self { title: text(title), caption: text(caption), then, ..Self::default() }
     }
 }
@@ -52,7 +52,7 @@ pub(in crate::gui) fn show(
     ui.add_space(6.0);
     let entered = ui.input(|input| input.key_pressed(Key::Enter) && input.modifiers == Modifiers::NONE);
     let mut done = false;
-    let [card_title, card_caption] = &form.of_card;
+    let [card_title, card_caption] = &*form.of_card;
     let rows = [
         (t.title_name, &mut form.title, card_title, MAX_TITLE, 1),
         (t.caption_name, &mut form.caption, card_caption, MAX_CAPTION, 3),
@@ -125,7 +125,7 @@ pub(in crate::gui) fn show(
 }
 
 /// The file of a figure with this title.
-fn proposal(state: &State, purpose: &Purpose, title: Bilingual) -> String {
+fn proposal(state: &State, purpose: &Purpose, title: Localized) -> String {
     let title = written(title);
     let title = title.as_ref().map(|title| told(state.model.settings.lang, title));
     FileKind::of(state, purpose).with_name_of(title).proposal().display().to_string()
@@ -144,14 +144,14 @@ fn accept(model: &mut Model, file_flow: &mut FileFlow, form: TitleForm) -> Optio
     form.then
 }
 
-/// A text of one line in both languages. If one is empty, it's replaced by the other.
-fn written(text: Bilingual) -> Option<Bilingual> {
-    let line = |text: String| {
+/// A text of one line in each language. English replaces an empty one, or else the first.
+fn written(text: Localized) -> Option<Localized> {
+    let line = |_: &str, text: &str| {
         let words = text.split(|c: char| c.is_whitespace() || sanitize::is_obeyed(c)).filter(|word| !word.is_empty());
         words.collect::<Vec<_>>().join(" ")
     };
-    let (en, pt_br) = (line(text.en), line(text.pt_br));
-    let or = |one: &String, other: &String| if one.is_empty() { other.clone() } else { one.clone() };
-    let both = Bilingual { en: or(&en, &pt_br), pt_br: or(&pt_br, &en) };
-    (!both.en.is_empty()).then_some(both)
+    let Localized { en, pt_br, others } = text.map(line);
+    let mut texts = vec![("en".to_owned(), en), ("pt-BR".to_owned(), pt_br)];
+    texts.extend(others.into_iter().filter(|(_, text)| !text.is_empty()));
+    Localized::from_languages(texts)
 }

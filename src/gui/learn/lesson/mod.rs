@@ -17,7 +17,7 @@ use std::time::Duration;
 
 use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
 
-use crate::figure::{Bilingual, Explanation};
+use crate::figure::{Explanation, Localized};
 use crate::gui::kit::{Command, Explained, Region, focus, prose, theme};
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, lesson_link};
@@ -403,7 +403,7 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
     let lang = writing.map_or(t.lang, |writing| writing.lang);
     // The numbers of the figure on the screen.
     let report = lessons::numbers_of(model.desk.shown.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
-    let text = |text: &Bilingual| match &report {
+    let text = |text: &Localized| match &report {
         Some(report) => words::filled_from(lang, text, report),
         None => told(lang, text).to_owned(),
     };

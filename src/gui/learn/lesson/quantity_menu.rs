@@ -3,7 +3,7 @@
 use eframe::egui::Ui;
 
 use crate::camera::ParameterKey;
-use crate::figure::{Bilingual, Figure};
+use crate::figure::{Figure, Localized};
 use crate::gui::kit::Explained;
 use crate::inspect::Report;
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, ReportMatrix, WindowNumber};
@@ -47,7 +47,7 @@ fn group(ui: &mut Ui, t: &Texts, report: &Report, quantity: Quantity) -> Option<
     let path = quantity.to_string();
     let numbers = quantity.of(report)?;
     if numbers.entries.len() == 1 {
-        let value = filled_from(t.lang, &Bilingual { en: format!("{{{path}}}"), pt_br: format!("{{{path}}}") }, report);
+        let value = filled_from(t.lang, &Localized::same(&format!("{{{path}}}")), report);
         return chosen(ui, &format!("{path} = {value}"), path);
     }
     let mut found = None;

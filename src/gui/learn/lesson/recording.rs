@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::figure::{Bilingual, Figure, Screen};
+use crate::figure::{Figure, Localized, Screen};
 use crate::gui::learn::Learn;
 use crate::lessons::{Draft, Lesson, with_step};
 use crate::scene::Wanted;
@@ -54,7 +54,7 @@ impl Learn {
     }
 
     /// The title that the user gave the figure, if no step of the lesson has it yet.
-    pub(in crate::gui) fn title_to_record(&self, model: &Model, lesson: Option<&Lesson>) -> Option<Bilingual> {
+    pub(in crate::gui) fn title_to_record(&self, model: &Model, lesson: Option<&Lesson>) -> Option<Localized> {
         let title = model.desk.shown.figure().title.as_ref()?;
         let mut steps = lesson.iter().flat_map(|lesson| &lesson.steps);
         let is_of_step = self.lesson.is_some() && model.desk.shown.saved().title.as_ref() == Some(title);

@@ -3,7 +3,7 @@
 use eframe::egui::{RichText, Ui};
 
 use super::hands;
-use crate::figure::{Bilingual, Explanation};
+use crate::figure::{Explanation, Localized};
 use crate::gui::kit::{Explained, prose, theme};
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, exercises};
@@ -19,7 +19,7 @@ pub(super) fn show(
     model: &mut Model,
     learn: &mut Learn,
     step: &Step,
-    text: &dyn Fn(&Bilingual) -> String,
+    text: &dyn Fn(&Localized) -> String,
 ) {
     let Some(playing) = learn.lesson.as_ref() else { return };
     let (is_done, shows) = (playing.is_done(), playing.shows_question);

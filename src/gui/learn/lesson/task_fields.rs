@@ -4,7 +4,7 @@ use eframe::egui::{Button, ComboBox, Id, RadioButton, Ui, vec2};
 
 use super::quantity_menu::quantity_menu;
 use crate::exercises::entries;
-use crate::figure::{Bilingual, Figure};
+use crate::figure::{Figure, Localized};
 use crate::gui::kit::{Explained, TextField, number_field};
 use crate::inspect::Report;
 use crate::lessons::{ConditionKind, ConditionText, TaskKind, TaskText};
@@ -86,7 +86,7 @@ struct Fields<'a> {
 
 impl Fields<'_> {
     /// A text over the whole width.
-    fn text(&mut self, ui: &mut Ui, name: &str, text: &mut Bilingual) {
+    fn text(&mut self, ui: &mut Ui, name: &str, text: &mut Localized) {
         let label = ui.label(name);
         let (id, width) = (Id::unique(("text of a task", self.lang)), ui.available_width());
         let field = TextField::lines(told_mut(self.lang, text), MAX_TYPED);
@@ -171,7 +171,7 @@ impl Fields<'_> {
         }
         gone.into_iter().for_each(|place| drop(task.mistakes.remove(place)));
         if ui.add_enabled(task.mistakes.len() < MAX_WRONG, Button::new(t.add_wrong)).clicked() {
-            task.mistakes.push((String::new(), Bilingual::default()));
+            task.mistakes.push((String::new(), Localized::default()));
         }
     }
 

@@ -5,7 +5,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::figure::{Bilingual, Figure, FigureError};
+use crate::figure::{Figure, FigureError, Localized};
 use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::recording::for_lesson;
 use crate::lessons::{
@@ -67,7 +67,7 @@ pub enum Fields {
 pub struct Typed {
     /// Title, text and notes of the step, then title, sentence and minutes of the lesson. The minutes in the first
     /// language alone.
-    pub words: [Bilingual; FIELDS.len()],
+    pub words: [Localized; FIELDS.len()],
     /// The task of the step.
     pub task: TaskText,
 }
@@ -99,7 +99,7 @@ impl Writing {
         }
         let minutes = lesson.minutes.map(|minutes| significant(minutes, MINUTES_DIGITS)).unwrap_or_default();
         let [title, text, notes, of_lesson, sentence] = words_in_file(&self.text, number);
-        let minutes = Bilingual { en: minutes, ..Bilingual::default() };
+        let minutes = Localized { en: minutes, ..Localized::default() };
         let texts = [title, text, notes, of_lesson, sentence, minutes];
         let task = text_of_step(&self.text, number).map(TaskText::of_step).unwrap_or_default();
         let typed = Typed { words: texts, task };
@@ -119,7 +119,7 @@ impl Writing {
 }
 
 /// The words of a field: those of a step, then those of the lesson.
-const FIELDS: [fn(usize, Bilingual) -> Words; 6] = [
+const FIELDS: [fn(usize, Localized) -> Words; 6] = [
     |step, told| Words::OfStep(step, StepText::Title, told),
     |step, told| Words::OfStep(step, StepText::Text, told),
     |step, told| Words::OfStep(step, StepText::Notes, told),

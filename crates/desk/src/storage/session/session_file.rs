@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::document::Document;
 use crate::document::fresh;
-use crate::figure::{Bilingual, Figure, read, update};
+use crate::figure::{Figure, Localized, read, update};
 use crate::lessons::{TaskKind, TaskText, text_of_step};
 use crate::unsaved_text::UnsavedText;
 use camera_lab_files::{Carried, SourceFile, disk};
@@ -69,7 +69,8 @@ struct KeptText {
     step: usize,
     text: String,
     /// Each in English and in Portuguese.
-    typed: Vec<[String; 2]>,
+    /// In English and in Portuguese, then tag and text of each other language.
+    typed: Vec<Vec<String>>,
     /// The task in the form of a lesson file. `None` from an earlier version, which couldn't change it.
     #[serde(default)]
     task: Option<String>,
@@ -108,7 +109,7 @@ impl SessionFile {
             path: KeptPath::from(&**path),
             step: *step,
             text: text.clone(),
-            typed: words.iter().map(|Bilingual { en, pt_br }| [en.clone(), pt_br.clone()]).collect(),
+            typed: words.iter().map(typed).collect(),
             task: (task.kind != TaskKind::InFile).then(|| task.to_toml()),
         });
         Self { lesson, ..self }
@@ -117,8 +118,7 @@ impl SessionFile {
     /// The text of a lesson. `None` if it lacks a part of an [`UnsavedText`].
     fn text(&self) -> Option<UnsavedText> {
         let KeptText { path, step, text, typed, task } = self.lesson.as_ref()?;
-        let words: Vec<Bilingual> =
-            typed.iter().map(|[en, pt_br]| Bilingual { en: en.clone(), pt_br: pt_br.clone() }).collect();
+        let words: Vec<Localized> = typed.iter().map(|texts| of_typed(texts)).collect::<Option<_>>()?;
         let task = task.as_deref().or_else(|| text_of_step(text, *step)).map(TaskText::of_step).unwrap_or_default();
         let (path, text, words) = (path.whole()?, text.clone(), words.try_into().ok()?);
         Some(UnsavedText { path, step: *step, text, words, task })
@@ -186,4 +186,15 @@ impl SessionFile {
         }
         Some(Restored { document, unknown, text })
     }
+}
+
+fn typed(Localized { en, pt_br, others }: &Localized) -> Vec<String> {
+    [en, pt_br].into_iter().chain(others.iter().flat_map(|(tag, text)| [tag, text])).cloned().collect()
+}
+
+/// The text that [`typed`] has stored.
+fn of_typed(texts: &[String]) -> Option<Localized> {
+    let [en, pt_br, others @ ..] = texts else { return None };
+    let others = others.chunks_exact(2).map(|pair| (pair[0].clone(), pair[1].clone()));
+    Some(Localized { en: en.clone(), pt_br: pt_br.clone(), others: others.collect() })
 }

@@ -8,7 +8,7 @@ use crate::figure::words::{
     VISIBILITIES,
 };
 use crate::figure::{
-    Bilingual, CameraTag, Comparison, Depth, LabelledMeasure, Labels, Letters, Measured, MovedLabel, NamedCamera,
+    CameraTag, Comparison, Depth, LabelledMeasure, Labels, Letters, Localized, Measured, MovedLabel, NamedCamera,
     NamedPoint, Note, NotePlace, Observer, Observers, Outside, Photograph, RenamedLabel, Reveal, Screen, ScreenEntry,
     ShadowReveal, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview,
     TriangleStep, View, WorldLook, WorldPart, WorldParts,
@@ -218,7 +218,7 @@ fn parts(bits: u32) -> WorldParts {
 }
 
 /// A text in both languages; `None` if one is empty.
-fn told(en: &str, pt_br: &str) -> Option<Bilingual> {
+fn told(en: &str, pt_br: &str) -> Option<Localized> {
     let is_there = |text: &str| !text.trim().is_empty() && !text.contains(crate::sanitize::is_obeyed);
     (is_there(en) && is_there(pt_br)).then(|| [en.to_owned(), pt_br.to_owned()].into())
 }

@@ -16,7 +16,7 @@ use crate::figure::words::{
     SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
 };
 use crate::figure::{
-    AXES_LENGTHS, Bilingual, Depth, Figure, NamedPoint, Observer, Photograph, Reveal, Screen, ScreenEntry,
+    AXES_LENGTHS, Depth, Figure, Localized, NamedPoint, Observer, Photograph, Reveal, Screen, ScreenEntry,
     ScreenMatrix, View, WorldLook, WorldPart,
 };
 use crate::limits::{MAX_CAPTION, MAX_NAMED_POINTS, MAX_OFFSET, MAX_SIDE, MAX_TITLE};
@@ -65,14 +65,14 @@ fn lists(keys: &mut Keys<'_>, label: impl Fn(&str) -> String, f: &mut Figure) {
 }
 
 /// A text of one line for each language.
-fn bilingual_line(section: &mut Section<'_>, key: &'static str, limit: usize) -> Option<Bilingual> {
+fn bilingual_line(section: &mut Section<'_>, key: &'static str, limit: usize) -> Option<Localized> {
     let texts = section.told(key)?;
-    let is_short = |text: &String| text.chars().count() <= limit && !text.contains(sanitize::is_obeyed);
-    if !texts.iter().all(is_short) {
+    let is_short = |text: &str| text.chars().count() <= limit && !text.contains(sanitize::is_obeyed);
+    if !texts.iter().all(|(_, text)| is_short(text)) {
         section.refuse(key, Allowed::BilingualLine { limit });
         return None;
     }
-    Some(texts.into())
+    Some(texts)
 }
 
 /// The size, the switch for an undistorted image, and the photograph under it.

@@ -6,9 +6,9 @@ use toml_edit::{Item, TableLike, Value};
 use super::snippet;
 use crate::expression::Dimension;
 use crate::figure::error::{Allowed, Problem};
-use crate::figure::near;
 use crate::figure::value::{PAIR, Refused, Values, number, told, told_by, vector, whole_numbers};
 use crate::figure::words::{self, Words};
+use crate::figure::{Localized, near};
 
 /// A fault, and its place in the text.
 #[derive(Debug)]
@@ -187,7 +187,7 @@ impl<'a> Section<'a> {
 
     /// A text that's the same in all languages, or one for each: `{ en = "…", "pt-BR" = "…" }`, in English and in
     /// Portuguese.
-    pub fn told(&mut self, key: &'static str) -> Option<[String; 2]> {
+    pub fn told(&mut self, key: &'static str) -> Option<Localized> {
         let found = told_by(self.ask(key)?);
         if found.is_none() {
             self.refuse(key, Allowed::Bilingual);
@@ -196,7 +196,7 @@ impl<'a> Section<'a> {
     }
 
     /// A table of such texts, in the order of the file.
-    pub fn bilingual_table(&mut self, key: &'static str) -> Vec<(String, [String; 2])> {
+    pub fn bilingual_table(&mut self, key: &'static str) -> Vec<(String, Localized)> {
         let Some(table) = self.ask(key).and_then(Item::as_table_like) else { return Vec::new() };
         let texts: Option<Vec<_>> = table.iter().map(|(name, item)| Some((name.to_owned(), told_by(item)?))).collect();
         if texts.is_none() {
@@ -206,7 +206,7 @@ impl<'a> Section<'a> {
     }
 
     /// A list of such texts.
-    pub fn bilingual_list(&mut self, key: &'static str) -> Vec<[String; 2]> {
+    pub fn bilingual_list(&mut self, key: &'static str) -> Vec<Localized> {
         self.read_list(key, &Allowed::ToldList, told)
     }
 

@@ -167,7 +167,7 @@ fn titles_and_screens_are_refused_with_their_line() {
         (format!("title = \"{}\"", "é".repeat(121)), 1, "title"),
         (format!("title = \"{}\"\ncaption = {{ en = \"{}\" }}", "é".repeat(120), "a".repeat(601)), 2, "caption"),
         ("caption = \"two\\nlines\"".to_owned(), 1, "caption"),
-        ("caption = { en = \"a\", fr = \"b\" }".to_owned(), 1, "caption"),
+        ("caption = { en = \"a\", pt = \"b\" }".to_owned(), 1, "caption"),
         ("[screen]\npictures = []".to_owned(), 2, "[screen] pictures"),
         ("[screen]\n\npictures = [\"wrold\"]".to_owned(), 3, "[screen] pictures"),
         ("[screen]\narrangement = \"rows\"".to_owned(), 2, "[screen] arrangement"),
