@@ -1,8 +1,8 @@
 //! Camera Lab: an interactive laboratory for the virtual camera of computer graphics.
 //!
 //! Data goes one way: **figure → camera → shot → request → drawing → image**. The window ([`gui`]) and the command line
-//! ([`cli`]) are two thin shells over six libraries. This crate re-exports the modules of the first three. Whatever one can show, the
-//! other can print.
+//! ([`cli`]) are two thin shells over six libraries. This crate re-exports the modules of the first three. Whatever one
+//! can show, the other can print.
 //!
 //! - `camera-lab-engine`: the camera of the notes, scenes, the pipeline, the rasterizer.
 //! - `camera-lab-figures`: figure files, all their numbers, the three views, pictures as pixels and vectors.

@@ -1,9 +1,9 @@
 //! Writes the texts of `assets/words` as Rust.
 //!
-//! Each file `LANG/PLACE.toml` has lines `key = "text"` or lists `key = ["text", "text"]`. Those at its top become the fields
-//! of a struct `Texts` with one value for each language. Those under `[lines]` become arms of a macro `text!`, which
-//! inserts values into them: `{name}` is a value, and a brace of the text itself stands twice. Every language has the
-//! keys of English and inserts the same values, or the build fails.
+//! Each file `LANG/PLACE.toml` has lines `key = "text"` or lists `key = ["text", "text"]`. Those at its top become the
+//! fields of a struct `Texts` with one value for each language. Those under `[lines]` become arms of a macro `text!`,
+//! which inserts values into them: `{name}` is a value, and a brace of the text itself stands twice. Every language has
+//! the keys of English and inserts the same values, or the build fails.
 //!
 //! TOML is read here by hand: these few forms take 40 lines, while a library would be built before everything else.
 

@@ -1,4 +1,4 @@
-//! Cameras for property tests: ordinary ones, and such that are made to break what holds for every camera.
+//! Cameras for property tests: ordinary ones, and those that are made to break a property.
 
 use camera_lab_engine::camera::{Camera, Parameters, Projection, ViewWindow};
 use glam::DVec3;

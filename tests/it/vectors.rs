@@ -237,7 +237,8 @@ fn the_image_on_the_window_is_a_picture_among_areas() {
     assert!(matches!(widths.as_slice(), [width] if *width < 60.0), "{widths:?}");
     // Colours that vary over the faces of the scene are one picture of it all.
     figure.style.shading = Shading::Gouraud;
-    assert_eq!(images(&figure), [320.0]);
+    let widths = images(&figure);
+    assert!(matches!(widths.as_slice(), [width] if *width > 100.0), "{widths:?}");
 }
 
 #[test]

@@ -99,7 +99,7 @@ enum Place {
 /// other steps are shown, and every action that would end them asks first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum StepWork {
-    /// What the user has built.
+    /// Objects, lights, points, labels and titles.
     Built,
     /// Every change, since the lesson is being written and the change may become a step.
     All,
@@ -111,8 +111,8 @@ impl Desk {
         Self { shown, held: Vec::new(), steps: None, errand: None }
     }
 
-    /// States what the user wants next. An intent that would lose work waits for the answer to a question about it. Every
-    /// intent that replaces or closes a document comes through here.
+    /// States what the user wants next. An intent that would lose work waits for the answer to a question about it.
+    /// Every intent that replaces or closes a document comes through here.
     pub fn wish(&mut self, intent: Intent, losses: Losses) -> Need {
         let need = match losses {
             Losses { text: true, .. } => Need::AskAboutText,

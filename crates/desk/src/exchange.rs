@@ -1,4 +1,4 @@
-//! What the parts of the window tell each other from frame to frame.
+//! Values that the parts of the window exchange from frame to frame.
 
 use crate::camera::Camera;
 use crate::figure::{Observers, TransformPreview};
@@ -32,7 +32,8 @@ pub struct Exchange {
     pub hover: PanelHover,
     /// The last observers of the views. `None` if they haven't been shown.
     ///
-    /// *Set by* the views. *Read by* saving, sessions and lessons, which store the figure as seen. *Lives* until it changes.
+    /// *Set by* the views. *Read by* saving, sessions and lessons, which store the figure as seen. *Lives* until it
+    /// changes.
     pub seen: Observers,
     /// The open panels, of those that explain something in the views.
     ///

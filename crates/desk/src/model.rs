@@ -69,7 +69,7 @@ pub struct Model {
     pub explained: Explained,
     /// A running step.
     pub motion: Option<Motion>,
-    /// What the parts of the window tell each other from frame to frame.
+    /// Values that the parts of the window exchange from frame to frame.
     pub frame: Exchange,
     /// Requests of features to others, performed once this frame's panels are drawn.
     pub actions: Vec<Action>,

@@ -1,10 +1,10 @@
 //! Every text in every language, as typed Rust values.
 //!
-//! Texts are lines of `assets/words/LANG/PLACE.toml`. The module of a place has a struct [`Texts`](window::Texts) of them,
-//! and functions for those with values or grammar.
+//! Texts are lines of `assets/words/LANG/PLACE.toml`. The module of a place has a struct [`Texts`](window::Texts) of
+//! them, and functions for those with values or grammar.
 
-/// The texts of a file of `assets/words`, which `build.rs` writes as Rust: the struct `Texts`, and a macro `text!` for its
-/// `[lines]`: `text!(lang, key)` is a `&'static str` or an array of them, `text!(lang, key, name, count = n + 1)` a
+/// The texts of a file of `assets/words`, which `build.rs` writes as Rust: the struct `Texts`, and a macro `text!` for
+/// its `[lines]`: `text!(lang, key)` is a `&'static str` or an array of them, `text!(lang, key, name, count = n + 1)` a
 /// `String` with values.
 macro_rules! texts {
     ($file:literal) => {

@@ -1,4 +1,4 @@
-//! What operations do to a camera, and what they leave alone.
+//! Operations: the numbers of the camera that they change, and those that stay.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

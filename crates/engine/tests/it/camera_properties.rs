@@ -1,4 +1,4 @@
-//! What holds for every camera, tried on cameras that are made to break it; and glam's cameras as a second opinion.
+//! Properties of every camera, tried on cameras that are made to break it; and glam's cameras as a second opinion.
 
 use camera_lab_engine::camera::{Camera, Convention, ImageSize, Operation, Parameters, Projection, Viewport};
 use camera_lab_engine::geometry::Angle;

@@ -7,7 +7,7 @@ use camera_lab_engine::camera::{
 };
 use glam::DVec3;
 
-/// What was read: the kind, `f_x f_y c_x c_y` from the window, the size, C.
+/// The result: the kind, `f_x f_y c_x c_y` from the window, the size, C.
 fn read(text: &str, at: usize) -> (MatrixKind, [f64; 4], [u32; 2], DVec3) {
     let cameras = read_cameras(text.as_bytes()).unwrap();
     let image = cameras[at].image.unwrap_or(ImageSize { width: 640, height: 480 });

@@ -183,7 +183,7 @@ fn broken_obj_files_are_refused_with_the_line() {
     );
 }
 
-/// What exporters write and readers take: the surface is read, and what was left out is said.
+/// Lines of exporters that readers take: the surface is read, and a notice names the rest.
 #[test]
 fn what_other_programs_write_is_read_with_a_notice() {
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";

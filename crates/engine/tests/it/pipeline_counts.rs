@@ -1,4 +1,4 @@
-//! What a picture says of how it came about: counts of a small scene, counted by hand.
+//! The report of a picture: counts of a small scene, counted by hand.
 
 use camera_lab_engine::appearance::{Shading, Style, Visibility};
 use camera_lab_engine::camera::Projection;

@@ -129,7 +129,7 @@ fn exact_polygon(eye: Eye, triangle: [[i64; 3]; 3]) -> Vec<DVec3> {
     polygon.iter().map(|p| p.displayed(eye)).collect()
 }
 
-/// What the pipeline makes of the triangle.
+/// The triangle after the pipeline.
 fn polygon(eye: Eye, triangle: [[i64; 3]; 3]) -> Vec<[DVec3; 3]> {
     let positions = triangle.map(|p| DVec3::from_array(p.map(|c| c as f64 * UNIT))).to_vec();
     let mesh = Mesh { positions, triangles: vec![[0, 1, 2]], ..Mesh::default() };

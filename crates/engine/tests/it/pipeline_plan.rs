@@ -124,7 +124,7 @@ fn the_inside_of_a_box_that_the_near_plane_cuts_open_is_seen() {
     assert_eq!(back_face.count(), 2);
 }
 
-/// What is said of a stage once all is done.
+/// The report of a stage once all is done.
 fn said(frame: &Frame, stage: Stage) -> (bool, Reason, Option<(usize, usize)>) {
     let report = frame.report[stage as usize];
     assert_eq!(report.stage, stage);

@@ -1,4 +1,4 @@
-//! What colour triangles have: blended, between vertices, from textures, in light.
+//! The colours of triangles: blended, between vertices, from textures, in light.
 
 #![expect(clippy::cast_possible_truncation, reason = "small numbers, and bytes of random ones")]
 

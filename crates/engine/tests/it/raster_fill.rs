@@ -1,4 +1,4 @@
-//! What triangles cover and how deep they are, against exact arithmetic.
+//! The pixels and depths of triangles, against exact arithmetic.
 
 #![expect(clippy::cast_possible_truncation, reason = "small numbers, and bytes of random ones")]
 

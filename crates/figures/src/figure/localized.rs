@@ -113,8 +113,8 @@ impl Localized {
     }
 }
 
-/// True for the tag of a language that the program doesn't have: `es`, `zh-Hant`. `pt` or `en-GB` is a slip, because the
-/// program would look for `pt-BR` and `en`.
+/// True for the tag of a language that the program doesn't have: `es`, `zh-Hant`. `pt` or `en-GB` is a slip, because
+/// the program would look for `pt-BR` and `en`.
 fn is_tag(tag: &str) -> bool {
     let mut parts = tag.split('-');
     let primary = parts.next().unwrap_or_default();

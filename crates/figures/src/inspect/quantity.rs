@@ -36,8 +36,8 @@ pub enum Quantity {
     Ray(usize, RayNumber),
 }
 
-/// Numbers of one part of a report: each with its key in the JSON of `inspect`, and its numbers row by row. `None` if the
-/// report has none.
+/// Numbers of one part of a report: each with its key in the JSON of `inspect`, and its numbers row by row. `None` if
+/// the report has none.
 macro_rules! numbers {
     ($(#[$doc:meta])* $name:ident of $report:ident { $($(#[$of:meta])* $variant:ident = $field:ident => $numbers:expr),* $(,)? }) => {
         $(#[$doc])*

@@ -73,7 +73,7 @@ fn every_pixel_has_its_texel_under_any_perspective() {
     assert!(seen > 50_000, "{seen}");
 }
 
-/// What a picture of one colour outside and another inside shows at its border.
+/// The border of a picture of one colour outside and another inside.
 fn border(wrap: Wrap, filter: Filter) -> [u8; 3] {
     let texel = |i: u32| if i.is_multiple_of(8) { [255, 0, 0, 255] } else { [0, 0, 255, 255] };
     let image = Arc::new(Texture::flat(8, 8, (0..64).flat_map(texel).collect()).with_levels());
