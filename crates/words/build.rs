@@ -41,7 +41,7 @@ impl Entry {
         (self.in_lines, &self.key)
     }
 
-    /// What must be the same in every language.
+    /// The parts of a text that must be the same in every language.
     fn shape(&self) -> (bool, usize, &BTreeSet<String>) {
         (self.is_list, self.literals.len(), &self.values)
     }
