@@ -11,7 +11,7 @@ import re
 import sys
 
 SECTIONS = {1: "types", 2: "imports", 3: "functions", 4: "table", 6: "globals", 7: "exports", 9: "elements", 10: "code", 11: "data", 12: "data count"}
-OURS = {"camera_lab": "window", "camera_lab_engine": "engine", "camera_lab_figures": "figures", "camera_lab_files": "files", "camera_lab_teaching": "teaching", "camera_lab_words": "words"}
+OURS = {"camera_lab": "window", "camera_lab_desk": "desk", "camera_lab_engine": "engine", "camera_lab_figures": "figures", "camera_lab_files": "files", "camera_lab_teaching": "teaching", "camera_lab_words": "words"}
 STD = {"core", "alloc", "std", "hashbrown", "compiler_builtins", "memchr", "dlmalloc"}
 
 
