@@ -14,6 +14,9 @@
 //! Start with [`raster::textbook`], a whole rasterizer without tricks, and with [`camera`] for the model of the notes.
 //! [`pipeline`] leads from a scene to a drawing, which [`raster`] paints.
 //!
+//! Without the feature `import` there is no glTF, no texture from a file, and no camera in JSON or YAML. Without `text`
+//! an image has no labels. The README has the limitations.
+//!
 //! # A mesh on an image
 //!
 //! A scene is built from a spec, the pipeline turns it into a [`drawing::Drawing`] in pixels with depths, and the
@@ -58,6 +61,9 @@
 //! # Ok::<(), camera_lab_engine::camera::CameraError>(())
 //! ```
 
+pub use glam;
+pub use tiny_skia;
+
 pub mod appearance;
 pub mod camera;
 pub mod drawing;
@@ -75,3 +81,32 @@ pub mod scene;
 mod simd;
 pub mod stage;
 pub mod text;
+
+/// Runs the examples of the README.
+#[cfg(all(doctest, feature = "import"))]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
+
+#[cfg(test)]
+mod tests {
+    /// Compiles only if values of a type may move to another thread, and be shared with it.
+    const fn crosses_threads<T: Send + Sync>() {}
+
+    #[test]
+    fn values_cross_threads() {
+        crosses_threads::<crate::camera::Camera>();
+        crosses_threads::<crate::camera::CameraError>();
+        crosses_threads::<crate::camera::Pasted>();
+        crosses_threads::<crate::camera::Recognised>();
+        crosses_threads::<crate::drawing::Drawing>();
+        crosses_threads::<crate::pipeline::Frame>();
+        crosses_threads::<crate::pipeline::Pipeline>();
+        crosses_threads::<crate::progress::Progress>();
+        crosses_threads::<crate::raster::Rasterizer>();
+        crosses_threads::<crate::scene::MeshError>();
+        crosses_threads::<crate::scene::MeshFiles>();
+        crosses_threads::<crate::scene::Scene>();
+        crosses_threads::<crate::scene::SceneError>();
+        crosses_threads::<crate::scene::SceneSpec>();
+    }
+}

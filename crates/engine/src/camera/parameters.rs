@@ -320,6 +320,7 @@ impl fmt::Display for Derived {
 
 /// The reason why parameters aren't a camera.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum CameraError {
     /// C = PF.
     #[error("focal_point is the same point as position; allowed: any other point")]

@@ -27,6 +27,7 @@ pub struct Unprojected {
 
 /// The reason why a depth belongs to no point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum NotProjectable {
     /// glDepthRange(n, n).
     #[error("every depth is {depth}: with depth_near = depth_far there is no way back")]

@@ -5,13 +5,17 @@
 //! is which.
 
 mod colmap;
+#[cfg(feature = "import")]
 mod gltf;
+#[cfg(feature = "import")]
 mod json;
 pub(crate) mod numbers;
 mod paraview;
 mod trajectory;
+#[cfg(feature = "import")]
 mod values;
 mod words;
+#[cfg(feature = "import")]
 mod yaml;
 
 use glam::{DMat3, DMat4, DVec3};
@@ -43,6 +47,7 @@ pub(crate) enum GivenLens {
     /// K in pixels.
     Pixels { focal_lengths: [f64; 2], principal_point: [f64; 2] },
     /// The angle from left to right, in radians.
+    #[cfg_attr(not(feature = "import"), expect(dead_code, reason = "only nerfstudio has it"))]
     AngleX(f64),
     /// The angle from bottom to top in degrees. Missing values stay.
     AngleY { degrees: f64, aspect: Option<f64>, near: Option<f64>, far: Option<f64> },
@@ -52,6 +57,7 @@ pub(crate) enum GivenLens {
 
 /// The reason why a text holds no camera.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MatrixTextError {
     /// Another count of numbers.
     #[error("{0} numbers; a matrix has 16, four rows of four, or 12: K [R | t], or 9: K, or 7: a quaternion and t")]
@@ -119,6 +125,7 @@ impl GivenLens {
 /// # Errors
 /// [`MatrixTextError`] if there is none.
 pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
+    #[cfg(feature = "import")]
     if bytes.starts_with(b"glTF") {
         return gltf::of_glb(bytes);
     }
@@ -133,9 +140,11 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
     if let Some(camera) = paraview::camera(text) {
         return Ok(vec![camera]);
     }
+    #[cfg(feature = "import")]
     if let Ok(value) = serde_json::from_str(text) {
         return json::cameras(&value, text);
     }
+    #[cfg(feature = "import")]
     if let Some(cameras) = yaml::cameras(text) {
         return Ok(cameras);
     }
