@@ -86,7 +86,8 @@ fn every_vertex_that_clipping_makes_lies_in_a_plane() {
     let work = clipped.work.unwrap();
     assert!(!work.cuts.is_empty() && !work.before.is_empty() && !work.after.is_empty());
     let depths = clipped.depths;
-    let volume = camera_lab::pipeline::depths::DepthScale::of_volume(true, 6.0, 40.0);
+    let volume =
+        camera_lab::pipeline::depths::DepthScale::of_volume(camera_lab::camera::Projection::Perspective, 6.0, 40.0);
     for [x, y, depth] in work.cuts {
         let at = |v: f32| v < 0.01 || v > SIDE as f32 - 0.01;
         let of_volume = depths.in_scale(&volume, f64::from(depth));

@@ -62,7 +62,7 @@ use space::projector::Projector;
 use space::screen::Screen;
 use stage::cull_objects::cull_objects;
 use stage::faces::Faces;
-use stage::hidden_surfaces::{Unordered, hidden_surfaces};
+use stage::hidden_surfaces::{PieceBudget, Unordered, hidden_surfaces};
 use stage::lines::{self, Strokes, lines};
 pub use stage::reflection;
 use stage::reflection::Lights;
@@ -109,10 +109,10 @@ pub struct Pipeline {
     pub max_pieces: Option<usize>,
 }
 
-/// A clone begins with empty buffers.
+/// A clone has the limit of pieces, and begins with empty buffers and shadow maps of its own.
 impl Clone for Pipeline {
     fn clone(&self) -> Self {
-        Self::default()
+        Self { max_pieces: self.max_pieces, ..Self::default() }
     }
 }
 
@@ -187,7 +187,8 @@ impl Pipeline {
             unordered = Unordered::default();
         }
         let max_pieces = self.max_pieces.unwrap_or(MAX_PIECES);
-        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), max_pieces, &self.progress);
+        let budget = PieceBudget { max_pieces, own_objects: scenes.own_object_count() };
+        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), budget, &self.progress);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 
@@ -209,7 +210,7 @@ impl Pipeline {
         let mut frame = recorder.frame(drawing, scenes);
         if let Some((pieces, over_budget)) = ordered.given_up {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
-            frame.over_budget = Some(over_budget);
+            frame.over_budget = over_budget.or(frame.over_budget);
         }
         frame
     }

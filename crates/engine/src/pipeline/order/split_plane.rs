@@ -29,7 +29,7 @@ impl SplitPlane {
 
     /// `true` if the eye is in front of the plane.
     pub(crate) fn faces_eye(&self, projector: &Projector) -> bool {
-        if projector.perspective { self.normal.dot(self.point) <= 0.0 } else { self.normal.z >= 0.0 }
+        if projector.projection.is_perspective() { self.normal.dot(self.point) <= 0.0 } else { self.normal.z >= 0.0 }
     }
 
     /// A pair: true if any corner is in front, and true if any is behind.

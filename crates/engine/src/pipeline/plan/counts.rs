@@ -167,7 +167,7 @@ impl SceneCounts {
             Stage::Clip => (true, Reason::Crossing { objects: self.crossing, of: self.in_view, planes: self.planes }),
             Stage::Oblique if projector.shift == [0.0, 0.0] => (false, Reason::SymmetricWindow),
             Stage::Oblique => (true, Reason::ObliqueWindow),
-            Stage::Divide if projector.perspective => (true, Reason::PerspectiveProjection),
+            Stage::Divide if projector.projection.is_perspective() => (true, Reason::PerspectiveProjection),
             Stage::Divide => (false, Reason::ParallelProjection),
             Stage::Lines if self.lines => (true, Reason::LinesInView),
             Stage::Lines if self.in_view == 0 => (false, Reason::NothingInView),

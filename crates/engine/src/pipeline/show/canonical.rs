@@ -123,9 +123,10 @@ pub fn clipped_segment_of(camera: &Camera) -> impl Fn([DVec3; 2]) -> Option<[DVe
 fn display_from_view(projector: &Projector) -> DMat4 {
     let [sx, sy] = projector.scale;
     // w as a function of (x, y, z, 1).
-    let w = if projector.perspective { DVec4::NEG_Z } else { DVec4::W };
+    let w = if projector.projection.is_perspective() { DVec4::NEG_Z } else { DVec4::W };
     // 2 · depth of the picture · w: of F (B − d)/(B − F) in perspective, (B − d)/(B − F) else, with d = −z.
-    let slope = 2.0 * if projector.perspective { projector.near } else { 1.0 } / (projector.far - projector.near);
+    let slope = 2.0 * if projector.projection.is_perspective() { projector.near } else { 1.0 }
+        / (projector.far - projector.near);
     let whole = Sheet { farthest: projector.far, slope, behind: -1.0 };
     let Sheet { farthest, slope, behind } = projector.sheet.unwrap_or(whole);
     let rows = [
@@ -313,7 +314,7 @@ impl Colored<'_> {
         let of = |lights: &Lights| self.found(&ObjectLight::new(lights, old, vertices, both_sides));
         let in_world = InWorld {
             light: world.map_or(FoundLight::None, |world| of(world.lights)),
-            inverse_w: origins().filter(|_| projector.perspective).map(inverse).collect(),
+            inverse_w: origins().filter(|_| projector.projection.is_perspective()).map(inverse).collect(),
             positions: origins().filter(|_| !casting.is_empty()).map(|origin| origin.of(place)).collect(),
             taken: world.map_or_else(Vec::new, |world| {
                 casting.iter().map(|&light| (light, of(&world.lights.only(light)))).collect()

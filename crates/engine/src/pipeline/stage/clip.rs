@@ -109,7 +109,7 @@ impl ClippedCorner {
             5 => projector.far,
             _ => between(edge.mean(a.distance, b.distance), [4, 5], [projector.near, projector.far]),
         };
-        let w = if projector.perspective { distance } else { 1.0 };
+        let w = if projector.projection.is_perspective() { distance } else { 1.0 };
         let x = match plane {
             0 => -w,
             1 => w,
@@ -338,7 +338,7 @@ mod tests {
                     let distances = distances(&eye, corner.point);
                     assert!(zero.iter().any(|&i| distances[i] == 0.0), "{corner:?}");
                     cut_at |= zero.iter().fold(0, |set, i| set | 1 << i);
-                    let w = if eye.perspective { corner.point.distance } else { 1.0 };
+                    let w = if eye.projection.is_perspective() { corner.point.distance } else { 1.0 };
                     assert!((corner.point.w - w).abs() < 1e-15 * w, "{corner:?}");
                 }
             }

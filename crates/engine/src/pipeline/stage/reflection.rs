@@ -62,7 +62,7 @@ impl Lights {
             diffuse: DIFFUSE,
             specular: if shiny { SPECULAR } else { 0.0 },
             shininess: SHININESS,
-            distant_viewer: !projector.perspective,
+            distant_viewer: !projector.projection.is_perspective(),
             two_sided: false,
             lights,
         };

@@ -281,7 +281,7 @@ fn alone(Occluder { mesh, world_from_object }: &Occluder) -> Object {
 fn rays(cameras: &[Camera], projector: &Projector, size: u32) -> Option<Rays> {
     let camera = cameras.first()?;
     let (near, far) = (camera.near(), camera.far());
-    if !projector.perspective {
+    if !projector.projection.is_perspective() {
         return Some(Rays::Parallel { step: single(camera.window_height() / f64::from(size) / (far - near)) });
     }
     let axes = cameras.iter().map(|camera| {
@@ -312,7 +312,7 @@ impl SeenByLight<'_> {
     /// The place of a point of the object, as [`Rays`] has it.
     pub(crate) fn place(&self, p: ObjectPoint) -> DVec3 {
         let (projector, p_view) = (&self.light.projector, view_point(&self.view_from_object, p));
-        if projector.perspective {
+        if projector.projection.is_perspective() {
             return p_view.0 / projector.far;
         }
         let p = clip_from_view(projector, p_view);
@@ -323,7 +323,7 @@ impl SeenByLight<'_> {
     /// The plane through three [places](Self::place), as [`Rays`] has it; zero if there is none.
     pub(crate) fn plane(&self, [a, b, c]: [DVec3; 3]) -> [f32; 3] {
         let normal = (b - a).cross(c - a);
-        let plane = if self.light.projector.perspective {
+        let plane = if self.light.projector.projection.is_perspective() {
             normal / normal.dot(a)
         } else {
             DVec3::new(-normal.x / normal.z, -normal.y / normal.z, 0.0)

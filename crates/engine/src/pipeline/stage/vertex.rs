@@ -52,7 +52,7 @@ pub(crate) fn view_point(view_from_object: &ViewFromObject, p: ObjectPoint) -> V
 #[inline(always)]
 pub(crate) fn project_symmetric(projector: &Projector, ViewPoint(p): ViewPoint) -> ClipPoint {
     let distance = -p.z;
-    let w = if projector.perspective { distance } else { 1.0 };
+    let w = if projector.projection.is_perspective() { distance } else { 1.0 };
     ClipPoint { x: projector.scale[0] * p.x, y: projector.scale[1] * p.y, w, distance }
 }
 

@@ -133,8 +133,7 @@ impl Greys {
             Depth::Linear => None,
         };
         let camera = &request.camera;
-        let perspective = camera.projection() == Projection::Perspective;
-        let volume = DepthScale::of_volume(perspective, camera.near(), camera.far());
+        let volume = DepthScale::of_volume(camera.projection(), camera.near(), camera.far());
         Some(Self { near_over_far: near_over_far(camera), volume, range })
     }
 
