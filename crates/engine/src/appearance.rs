@@ -3,14 +3,13 @@
 //! A leaf module, which imports nothing of the crate.
 
 mod level;
-mod level_pairs;
 mod texture;
 
 use std::fmt;
 use std::str::FromStr;
 
 pub use level::Level;
-pub(crate) use level_pairs::LevelPairs;
+pub(crate) use level::LevelPairs;
 pub use texture::{Filter, LEVEL_COLORS, LightShare, Sampler, Texture, TextureReveal, Wrap};
 
 /// A colour with straight (not premultiplied) alpha, 8 bits a channel, in sRGB.

@@ -2,8 +2,8 @@
 
 use crate::appearance::{Style, Visibility};
 use crate::pipeline::plan::{FacesDone, LitAt, ObjectPlan, Options, Plan};
+use crate::pipeline::space::Screen;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
-use crate::pipeline::space::screen::Screen;
 use crate::pipeline::stage::attributes::FacesToLight;
 use crate::pipeline::stage::clip::clip;
 use crate::pipeline::stage::cull_faces::{FaceTask, cull_faces};

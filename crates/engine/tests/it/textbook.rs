@@ -210,7 +210,7 @@ fn shadow(random: &mut Random, recipe: ShadowRecipe, counts: [usize; 2], taken: 
         places: (0..counts[0]).map(|_| place(random)).collect(),
         planes: (0..counts[1]).map(|_| random.vector(if recipe.lamp { 3.0 } else { 0.03 })).collect(),
         taken,
-        map: Arc::new(ShadowMap::new(views, size, rays, recipe.softness, random.next())),
+        map: Arc::new(ShadowMap::new(views, size, rays, recipe.softness)),
     }
 }
 

@@ -4,8 +4,8 @@ use super::object::{Containment, FacesDone, LitAt, ObjectPlan, ObjectReport};
 use super::reason::{Output, Reason, StagePlan};
 use crate::appearance::{HiddenLines, LineStyle, Shading, Style, Visibility};
 use crate::pipeline::scenes::Scenes;
-use crate::pipeline::space::planes::{NEAR, PlaneSet};
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::{NEAR, PlaneSet};
 use crate::scene::{Object, ObjectPaint};
 use crate::stage::Stage;
 

@@ -3,7 +3,7 @@
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::depths::{DepthScale, Sheet};
-use super::point::{FromEye, ObjectPoint, ViewPoint, WorldPoint};
+use super::{FromEye, ObjectPoint, ViewPoint, WorldPoint};
 use crate::camera::{Basis, Camera, Projection};
 
 /// The camera as the pipeline applies it, point by point.

@@ -10,11 +10,11 @@ use super::shadow_maps::{SeenByLight, ShadowLight};
 use super::vertices::Vertices;
 use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, BlockedLight, Shadow, Surface, SurfaceLight, single};
-use crate::pipeline::mesh::chunks::each_chunk;
+use crate::pipeline::mesh::each_chunk;
 use crate::pipeline::mesh::resample::{VertexOrigin, base_of, color_at, face_color, found_light, object_paint};
 use crate::pipeline::order::pieces::Layer;
 use crate::pipeline::plan::LitAt;
-use crate::pipeline::space::point::ObjectPoint;
+use crate::pipeline::space::ObjectPoint;
 use crate::scene::{Object, ObjectPaint, Pictured};
 
 /// One object's faces as light and their surface need them.

@@ -12,10 +12,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::faces::{Crossing, CulledChunk, Faces, LANES, to_u32};
 use super::vertices::{OnImage, Vertices};
-use crate::pipeline::mesh::chunks::{CHUNK, each};
-use crate::pipeline::space::planes::{NOT_A_NUMBER, PlaneSet};
-use crate::pipeline::space::point::ViewPoint;
+use crate::pipeline::mesh::{CHUNK, each};
+use crate::pipeline::space::ViewPoint;
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::{NOT_A_NUMBER, PlaneSet};
 
 /// The work on the faces of one object.
 #[derive(Clone, Copy, Debug)]

@@ -12,9 +12,8 @@ use crate::pipeline::mesh::bounds::{Bounds, KnownBounds};
 use crate::pipeline::plan::{Containment, Extent};
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::depths::InView;
-use crate::pipeline::space::planes::{ALL_PLANES, PLANES, PlaneSet, distances};
-use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
+use crate::pipeline::space::{ALL_PLANES, ObjectPoint, PLANES, PlaneSet, distances};
 use crate::scene::Object;
 
 /// Compares each object with the volume, in the order of the scene. [`Plan`](crate::pipeline::plan::Plan) marks those

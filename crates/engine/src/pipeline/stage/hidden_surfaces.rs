@@ -14,9 +14,8 @@ use crate::pipeline::budget::OverBudget;
 use crate::pipeline::order::bsp::{self, TooManyPieces};
 use crate::pipeline::order::painter;
 use crate::pipeline::order::pieces::Layer;
-use crate::pipeline::space::point::ViewPoint;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::screen::Screen;
+use crate::pipeline::space::{Screen, ViewPoint};
 use crate::progress::Progress;
 use crate::scene::Object;
 

@@ -17,7 +17,7 @@ use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, BlockedLight, PixelLight, Shadow, Surface, SurfaceLight};
 use crate::pipeline::mesh::resample::{color_at, face_color};
 use crate::pipeline::plan::LitAt;
-use crate::pipeline::space::point::ViewPoint;
+use crate::pipeline::space::ViewPoint;
 use crate::scene::ObjectPaint;
 
 /// The base colour of light that is kept apart from the colours.

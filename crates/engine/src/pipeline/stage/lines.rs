@@ -17,14 +17,14 @@ use super::vertices::{OnImage, Snap, Vertices, Wanted};
 use crate::appearance::{HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Label, Mark, StrokeSet};
 use crate::pipeline::Target;
-use crate::pipeline::mesh::chunks::{CHUNK, each};
 use crate::pipeline::mesh::outline::outline;
+use crate::pipeline::mesh::{CHUNK, each};
 use crate::pipeline::scenes::Scenes;
+use crate::pipeline::space::Screen;
 use crate::pipeline::space::depths::InView;
-use crate::pipeline::space::planes::{NOT_A_NUMBER, outcode};
-use crate::pipeline::space::point::{ClipPoint, ViewPoint, WorldPoint};
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::screen::Screen;
+use crate::pipeline::space::{ClipPoint, ViewPoint, WorldPoint};
+use crate::pipeline::space::{NOT_A_NUMBER, outcode};
 use crate::scene::{Object, ObjectPaint};
 
 /// The range of distances at which lines, marks and texts of the scene are in the volume.

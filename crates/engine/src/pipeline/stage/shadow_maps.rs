@@ -5,7 +5,6 @@
 //! camera of the picture, so all pictures of a scene share it. It's made again only if the light or an occluder
 //! changes.
 
-use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use glam::{DMat4, DVec3};
@@ -17,7 +16,7 @@ use crate::drawing::{Rays, ShadowMap, single};
 use crate::geometry::try_unit;
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::seen_by_light;
-use crate::pipeline::space::point::ObjectPoint;
+use crate::pipeline::space::ObjectPoint;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
 use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, Shadows};
 
@@ -258,18 +257,8 @@ fn made(light: &Light, occluders: &[Occluder]) -> Option<ShadowLight> {
     let views = cameras.iter().map(|camera| seen_by_light(&scene, camera, size)).collect();
     let projector = Projector::new(cameras.first()?);
     let rays = rays(&cameras, &projector, size)?;
-    let map = ShadowMap::new(views, size, rays, single(shadows.softness), recipe(light, occluders));
+    let map = ShadowMap::new(views, size, rays, single(shadows.softness));
     Some(ShadowLight { map: Arc::new(map), light: 0, bias: 0.0, projector })
-}
-
-/// A hash of a light and of its occluders.
-fn recipe(light: &Light, occluders: &[Occluder]) -> u64 {
-    let mut hash = DefaultHasher::new();
-    (light.kind == LightKind::Point, light.vector.to_array().map(f64::to_bits)).hash(&mut hash);
-    for Occluder { mesh, world_from_object } in occluders {
-        (Arc::as_ptr(mesh), world_from_object.to_cols_array().map(f64::to_bits)).hash(&mut hash);
-    }
-    hash.finish()
 }
 
 /// Only faces, without light, seen from both sides.

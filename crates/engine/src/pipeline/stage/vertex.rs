@@ -12,9 +12,10 @@
 
 use crate::drawing::single;
 use crate::pipeline::space::depths::DepthScale;
-use crate::pipeline::space::point::{ClipPoint, FromEye, NdcPoint, ObjectPoint, Pixel, ViewPoint, WorldPoint};
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
-use crate::pipeline::space::screen::{SUBPIXELS, Screen};
+use crate::pipeline::space::{
+    ClipPoint, FromEye, NdcPoint, ObjectPoint, Pixel, SUBPIXELS, Screen, ViewPoint, WorldPoint,
+};
 use crate::simd::round_to_steps;
 
 /// **Transform**: object → world → view.

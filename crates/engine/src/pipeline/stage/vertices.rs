@@ -12,11 +12,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::vertex::{clip_from_view, divide, snap, transform, unsnapped, view_point, viewport};
-use crate::pipeline::mesh::chunks::CHUNK;
-use crate::pipeline::space::planes::{PlaneSet, outcode};
-use crate::pipeline::space::point::{ClipPoint, FromEye, ObjectPoint, ViewPoint};
+use crate::pipeline::mesh::CHUNK;
 use crate::pipeline::space::projector::{BLOCK, Projector, ViewFromObject};
-use crate::pipeline::space::screen::Screen;
+use crate::pipeline::space::{ClipPoint, FromEye, ObjectPoint, PlaneSet, Screen, ViewPoint, outcode};
 use crate::simd::with_vectors;
 
 /// The vertices of an object, and the transforms that they go through.
@@ -171,7 +169,7 @@ mod tests {
     use crate::appearance::Rgba;
     use crate::camera::{Camera, Parameters};
     use crate::pipeline::Target;
-    use crate::pipeline::space::point::{NdcPoint, Pixel};
+    use crate::pipeline::space::{NdcPoint, Pixel};
     use glam::DMat4;
 
     #[test]

@@ -40,9 +40,8 @@ use std::ops::Range;
 use crate::drawing::{Base, Surface, SurfaceLight};
 use crate::simd::prelude::*;
 
-use super::band::{Band, TileStart};
+use super::band::{Band, Kind, TileStart};
 use super::batch::{BATCH, Batch, corners, corners_at, gather_points};
-use super::counts::Kind;
 use super::few::{FEW, FEW_COSTLY, TinyBatch};
 use super::per_pixel::PerPixel;
 use super::setup::{AffineValue, Borders, ROWS, any, stored};

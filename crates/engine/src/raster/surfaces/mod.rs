@@ -9,7 +9,6 @@
 mod band;
 mod batch;
 mod bins;
-mod counts;
 mod few;
 mod fill;
 mod filter;
@@ -32,9 +31,8 @@ use crate::simd::{has_vectors, with_vectors};
 use crate::raster::depth::{BandDepth, DepthBuffer};
 use crate::raster::grid::{samples, samples_in};
 use crate::raster::pixel::{LANES, Pixel, mean, premultiply};
-use band::Band;
+use band::{Band, Counts};
 use bins::Bins;
-use counts::Counts;
 use few::TinyBatch;
 use fill::fill;
 use setup::Size;

@@ -2,8 +2,7 @@
 
 use super::soup::TooLarge;
 use crate::limits::MAX_OBJECTS;
-use crate::scene::ReadError;
-use crate::scene::TextureError;
+use crate::scene::{ReadError, TextureError};
 
 /// The reason why a mesh file can't be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -4,16 +4,13 @@
 //! form is a list of numbers under names (`K =`, `R:`, `P2:`), as programs print them. The names and counts say which
 //! is which.
 
-mod colmap;
 #[cfg(feature = "import")]
 mod gltf;
 #[cfg(feature = "import")]
 mod json;
+mod lines;
 pub(crate) mod numbers;
 mod paraview;
-mod trajectory;
-#[cfg(feature = "import")]
-mod values;
 mod words;
 #[cfg(feature = "import")]
 mod yaml;
@@ -131,10 +128,10 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
     }
     let text = std::str::from_utf8(bytes).map_err(|_| MatrixTextError::NotText)?;
     let text = text.trim_start_matches('\u{feff}');
-    if let Some(cameras) = colmap::cameras(text) {
+    if let Some(cameras) = lines::colmap(text) {
         return Ok(cameras);
     }
-    if let Some(poses) = trajectory::cameras(text) {
+    if let Some(poses) = lines::trajectory(text) {
         return Ok(poses);
     }
     if let Some(camera) = paraview::camera(text) {
