@@ -35,7 +35,7 @@ mod show;
 mod space;
 mod stage;
 
-use crate::appearance::{Rgba, Shading, Style, Visibility};
+use crate::appearance::{Rgba, Samples, Shading, Style, Visibility};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
@@ -91,7 +91,12 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
 /// All faces of a scene as a light sees them, for its shadow map: depths are 1 at F and 0 at B.
 fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
     let target = Target { width: size, height: size, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
-    let style = Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, antialias: 1, ..Style::default() };
+    let style = Style {
+        shading: Shading::Flat,
+        visibility: Visibility::DepthBuffer,
+        antialias: Samples::One,
+        ..Style::default()
+    };
     let options = Options { depth_of_volume: true, ..Options::default() };
     let mut drawing = Pipeline::default().frame(scene, camera, target, &style, options).drawing;
     drawing.surfaces.iter_mut().for_each(|surface| surface.depth_test = true);

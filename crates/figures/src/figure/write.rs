@@ -209,7 +209,7 @@ fn style(style: &Style) -> Table {
         ("shading", words::name(SHADINGS, style.shading).into()),
         ("visibility", words::name(VISIBILITIES, style.visibility).into()),
         ("hidden_lines", words::name(HIDDEN_LINES, style.hidden_lines).into()),
-        ("antialias", i64::from(style.antialias).into()),
+        ("antialias", i64::from(style.antialias.count()).into()),
         ("theme", words::name(THEMES, style.theme).into()),
     ]);
     if style.depth_format != DepthFormat::default() {

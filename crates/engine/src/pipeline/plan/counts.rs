@@ -2,7 +2,7 @@
 
 use super::object::{Containment, FacesDone, LitAt, ObjectPlan, ObjectReport};
 use super::reason::{Output, Reason, StagePlan};
-use crate::appearance::{HiddenLines, LineStyle, Shading, Style, Visibility};
+use crate::appearance::{HiddenLines, LineStyle, Samples, Shading, Style, Visibility};
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::projector::Projector;
 use crate::pipeline::space::{NEAR, PlaneSet};
@@ -200,8 +200,8 @@ impl SceneCounts {
                 objects => (true, Reason::Translucent { objects }),
             },
             Stage::Antialias => match style.antialias {
-                0 | 1 => (false, Reason::OneSample),
-                samples => (true, Reason::Samples { samples }),
+                Samples::One => (false, Reason::OneSample),
+                samples => (true, Reason::Samples { samples: samples.count() }),
             },
             Stage::Fill => (true, Reason::FacesInView { objects: self.faces }),
             // `stage` and `face_stage` don't ask about these.

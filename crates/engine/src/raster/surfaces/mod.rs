@@ -29,7 +29,7 @@ use crate::raster::textbook;
 use crate::simd::{has_vectors, with_vectors};
 
 use crate::raster::depth::{BandDepth, DepthBuffer};
-use crate::raster::grid::{samples, samples_in};
+use crate::raster::grid::samples;
 use crate::raster::pixel::{LANES, Pixel, mean, premultiply};
 use band::{Band, Counts};
 use bins::Bins;
@@ -100,22 +100,22 @@ impl Surfaces {
         wanted: Wanted,
         progress: &Progress,
     ) {
-        let per_pixel = samples_in(drawing);
+        let samples = samples(drawing.antialias);
         let (width, height) = (drawing.width as usize, drawing.height as usize);
         let size = Size { width: drawing.width as i32, height: drawing.height as i32 };
-        let rows = 1 << (BAND_SAMPLES / per_pixel / (width + LANES)).clamp(BAND_ROWS.1, BAND_ROWS.0).ilog2();
+        let rows = 1 << (BAND_SAMPLES / samples.len() / (width + LANES)).clamp(BAND_ROWS.1, BAND_ROWS.0).ilog2();
         let bands = height.div_ceil(rows);
-        self.bins.sort(drawing, per_pixel > 1, size, rows, bands);
+        self.bins.sort(drawing, samples.len() > 1, size, rows, bands);
         let depth_test = drawing.surfaces.iter().any(|s| s.depth_test && !s.translucent);
         // A tile may reach eight pixels to the right of its first.
         let pitch = width.next_multiple_of(LANES) + LANES;
-        depth.reset([width, height], samples(per_pixel)[0], rows, pitch);
+        depth.reset([width, height], samples[0], rows, pitch);
         depth.step = drawing.depth_format.greatest().map_or(0.0, f32::recip);
         let frame = SharedByBands {
             drawing,
             bins: &self.bins,
             size,
-            samples: samples(per_pixel),
+            samples,
             rows,
             pitch,
             background: premultiply(drawing.background),
@@ -280,14 +280,14 @@ mod tests {
         };
         let positions: Vec<[f32; 3]> = (0..12).flat_map(|k| (0..3).map(move |n| corner(k, n))).collect();
         let triangles: Vec<[u32; 3]> = (0..12).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
-        for antialias in [1, 4] {
+        for antialias in [crate::appearance::Samples::One, crate::appearance::Samples::Four] {
             let surfaces = vec![Surface::solid(positions.clone(), triangles.clone(), Rgba::rgb(9, 99, 200))];
             let drawing = Drawing { antialias, surfaces, ..Drawing::new(width, height, Rgba::rgb(255, 255, 255)) };
             let wanted = Wanted { slopes: true, counts: false };
             let (mut fast, mut plain) = (Pixmap::new(width, height).unwrap(), Pixmap::new(width, height).unwrap());
             let (mut fast_depth, mut plain_depth) = (DepthBuffer::default(), DepthBuffer::default());
             at_once(Surfaces::default().paint(&drawing, &mut fast, &mut fast_depth, wanted, &Progress::default()));
-            let samples = samples(samples_in(&drawing));
+            let samples = samples(drawing.antialias);
             plain_depth.reset([90, 75], samples[0], 16, 104);
             paint_plainly(&drawing, &mut plain, &mut plain_depth, true);
             assert_eq!(fast.data(), plain.data());

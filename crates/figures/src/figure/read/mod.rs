@@ -250,7 +250,7 @@ fn style(section: &mut Section<'_>) -> Style {
         shading: section.word("shading", SHADINGS, default.shading),
         visibility: section.word("visibility", VISIBILITIES, default.visibility),
         hidden_lines: section.word("hidden_lines", HIDDEN_LINES, default.hidden_lines),
-        antialias: section.integer_of("antialias", &[1, 4, 16], default.antialias),
+        antialias: section.samples("antialias", default.antialias),
         theme: section.word("theme", THEMES, default.theme),
         depth_format: section.word("depth_format", DEPTH_FORMATS, default.depth_format),
     }

@@ -5,7 +5,7 @@ use toml_edit::{Item, TableLike, Value};
 
 use super::snippet;
 use super::value::{Refused, number, number_if, numbers, told, told_by, vector, whole_numbers};
-use crate::appearance::Rgba;
+use crate::appearance::{Rgba, Samples};
 use crate::expression::Dimension;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
@@ -238,10 +238,10 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// One of a few integers, which fit the type.
-    pub fn integer_of(&mut self, key: &'static str, choice: &'static [i64], default: u8) -> u8 {
-        self.read(key, default, Allowed::Integers(choice), |value| {
-            value.as_integer().filter(|i| choice.contains(i)).and_then(|i| u8::try_from(i).ok())
+    /// 1, 4 or 16.
+    pub fn samples(&mut self, key: &'static str, default: Samples) -> Samples {
+        self.read(key, default, Allowed::Integers(&[1, 4, 16]), |value| {
+            value.as_integer().and_then(|count| Samples::from_count(u8::try_from(count).ok()?))
         })
     }
 
