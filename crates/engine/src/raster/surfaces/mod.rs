@@ -9,7 +9,6 @@
 mod band;
 mod batch;
 mod bins;
-mod few;
 mod fill;
 mod filter;
 mod per_pixel;
@@ -33,7 +32,6 @@ use crate::raster::grid::samples;
 use crate::raster::pixel::{LANES, Pixel, mean, premultiply};
 use band::{Band, Counts};
 use bins::Bins;
-use few::TinyBatch;
 use fill::fill;
 use setup::Size;
 
@@ -56,7 +54,6 @@ struct Scratch {
     colors: Vec<Pixel>,
     /// Depths of the samples if a pixel has more than one. Otherwise they go straight to the depth buffer.
     depths: Vec<f32>,
-    few: TinyBatch,
     counts: Counts,
 }
 
@@ -206,16 +203,15 @@ impl Scratch {
                 depths: depths.get_mut(set).unwrap_or_default(),
                 slopes: if k == 0 { slopes } else { &mut [] },
                 in_order: drawing.painted_in_order,
-                hides: false,
                 greatest: drawing.depth_format.greatest().unwrap_or(0.0),
                 counts: frame.want_counts.then_some(&mut self.counts),
             };
             for (surface, triangles) in frame.bins.band(job.band) {
                 let surface = &drawing.surfaces[surface];
                 if together == 1 {
-                    with_vectors!(simd => fill::<_, 1>(simd, &mut band, &mut self.few, surface, triangles), else ());
+                    with_vectors!(simd => fill::<_, 1>(simd, &mut band, surface, triangles), else ());
                 } else {
-                    with_vectors!(simd => fill::<_, 4>(simd, &mut band, &mut self.few, surface, triangles), else ());
+                    with_vectors!(simd => fill::<_, 4>(simd, &mut band, surface, triangles), else ());
                 }
             }
         }
