@@ -14,7 +14,9 @@ use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
 
-use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Sampler, Shading, Style, Texture, Visibility};
+use camera_lab::appearance::{
+    Dash, HiddenLines, LineStyle, Rgba, Sampler, Samples, Shading, Style, Texture, Visibility,
+};
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::clock;
 use camera_lab::figure::Figure;
@@ -138,7 +140,7 @@ fn measure(name: &str, frames: usize, scene: &Scene, parameters: &Parameters, st
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
     let wanted = |name: &str| words.iter().all(|word| name.contains(word.as_str()));
-    let style = |shading| Style { shading, antialias: 1, ..Style::default() };
+    let style = |shading| Style { shading, antialias: Samples::One, ..Style::default() };
     print!("{:<38}", "least ms");
     STAGES.iter().for_each(|stage| print!(" {:>15}", stage.name()));
     println!(" {:>15} {:>15} {:>15}", "pipeline", "raster", "both");

@@ -10,7 +10,7 @@
 
 use std::time::Instant;
 
-use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Samples};
 use camera_lab::drawing::{Base, Drawing, Label, StrokeSet, Surface};
 use camera_lab::progress::at_once;
 use camera_lab::raster::Rasterizer;
@@ -62,7 +62,7 @@ fn main() {
     println!("{:>10} {:>8} {:>8} {:>8} {:>10} {:>10}", "picture", "paint", "samples", "faces", "median ms", "least ms");
     for (width, height) in [(640, 640), (1920, 1080)] {
         for (name, gouraud) in [("gouraud", true), ("flat", false)] {
-            for antialias in [1, 4] {
+            for antialias in [Samples::One, Samples::Four] {
                 for triangles in [1_000, 10_000, 100_000, 1_000_000] {
                     let row = format!("{width}x{height} {name} {antialias}x {triangles}");
                     if !words.iter().all(|w| row.contains(w.as_str())) {
@@ -77,7 +77,7 @@ fn main() {
         }
     }
     println!("\n{:>34} {:>8} {:>10} {:>10}", "part, 1920x1080", "samples", "median ms", "least ms");
-    for antialias in [1, 4] {
+    for antialias in [Samples::One, Samples::Four] {
         for (name, drawing) in parts(antialias) {
             if words.iter().all(|w| name.contains(w.as_str())) {
                 let (median, least) = time(&drawing);
@@ -87,12 +87,12 @@ fn main() {
     }
 }
 
-fn empty(width: u32, height: u32, antialias: u8) -> Drawing {
+fn empty(width: u32, height: u32, antialias: Samples) -> Drawing {
     Drawing { antialias, ..Drawing::new(width, height, Rgba::rgb(255, 255, 255)) }
 }
 
 /// Drawings of which all but one part is nothing, or of which that part is what they have more than another.
-fn parts(antialias: u8) -> Vec<(&'static str, Drawing)> {
+fn parts(antialias: Samples) -> Vec<(&'static str, Drawing)> {
     let (width, height) = (1920, 1080);
     let nothing = empty(width, height, antialias);
     // All within a share of a pixel where no sample is.

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Makes the fonts of the page, assets/fonts/page: the characters that a figure or a text of this program is likely to hold, of the fonts
-# beside them, with the same outlines. The browser writes other characters in the window. Images leave them out. There are no instructions
+# Makes the fonts of the page, crates/engine/fonts/page and assets/fonts/page: the characters that a figure or a text of this program is
+# likely to hold, of the fonts in the folder above, with the same outlines. The browser writes other characters in the window. Images leave them out. There are no instructions
 # for hinting either, 25 kB packed: images don't use them, and the window hints letters without instructions by itself.
 # Needs fonttools (pip install fonttools). Run it when the fonts or the lists below change.
 set -euo pipefail
-cd "$(dirname "$0")/../../assets/fonts"
+cd "$(dirname "$0")/../.."
+window=assets/fonts
+pictures=crates/engine/fonts
 
 # Latin and Greek letters, signs, arrows, mathematics, and the symbols on buttons.
 letters=U+0020-017F,U+0259,U+02B0-036F,U+0370-03FF,U+2000-215F,U+2190-230F,U+2318,U+23CE
@@ -14,15 +16,15 @@ columns=U+0020-017F,U+02C6-02DD,U+0300-0304,U+0307-0308,U+0370-03CF,U+2010-2027,
 columns+=,U+2308-230B,U+25A0-25FF,U+2713-2718,U+FFFD
 
 subset() {
-    pyftsubset "$1.ttf" --output-file="page/$1.ttf" --unicodes="$2" --layout-features=kern,mark,mkmk --no-glyph-names --notdef-outline \
+    mkdir -p "$1/page"
+    pyftsubset "$1/$2.ttf" --output-file="$1/page/$2.ttf" --unicodes="$3" --layout-features=kern,mark,mkmk --no-glyph-names --notdef-outline \
         --no-hinting --name-IDs='' --drop-tables+=FFTM,MATH
 }
 # For titles and the heads of sections, in the window and in the page alike. Debian's package fonts-dejavu-core has the whole font.
 heads=U+0020-017F,U+0370-03CF,U+2010-2027,U+2030-203A,U+2070-209F,U+2190-2199,U+2200-2265
-pyftsubset /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --output-file=DejaVuSans-Bold.ttf --unicodes="$heads" \
+pyftsubset /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --output-file="$window/DejaVuSans-Bold.ttf" --unicodes="$heads" \
     --layout-features=kern,mark,mkmk --no-glyph-names --notdef-outline --name-IDs='' --drop-tables+=FFTM,MATH
 
-mkdir -p page
-subset DejaVuSans "$letters"
-subset DejaVuSansMono "$columns"
-ls -l page
+subset "$pictures" DejaVuSans "$letters"
+subset "$window" DejaVuSansMono "$columns"
+ls -l "$pictures/page" "$window/page"

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use camera_lab::appearance::{Rgba, Style, Visibility};
+use camera_lab::appearance::{Rgba, Samples, Style, Visibility};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::Figure;
 use camera_lab::pipeline::stroke_order::painted_runs;
@@ -39,7 +39,7 @@ pub fn run(bytes: &[u8]) {
     let mesh = ObjectSpec::new("m", Shape::Mesh { path: "m.obj".to_owned() });
     let spec = SceneSpec { preset: Preset::Empty, objects: vec![mesh], lights: Vec::new() };
     let visibility = [Visibility::DepthBuffer, Visibility::Painter, Visibility::Bsp][usize::from(choices[1] % 3)];
-    let style = Style { visibility, antialias: 1, ..Figure::default().style };
+    let style = Style { visibility, antialias: Samples::One, ..Figure::default().style };
     let Ok(scene) = build(&spec, &style, &mut |_| Ok(obj.clone().into_bytes())) else { return };
     let target = Target { width: 64, height: 48, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
     for output in [Output::Pixels, Output::Vectors] {

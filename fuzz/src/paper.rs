@@ -26,7 +26,7 @@ struct Input {
 
 static SUBJECT: LazyLock<(Shot, Camera, SharedScene)> = LazyLock::new(|| {
     let mut figure = Figure::of_preset(Preset::Cube);
-    figure.style.antialias = 1;
+    figure.style.antialias = camera_lab::appearance::Samples::One;
     let camera = Camera::new(&figure.camera).expect("a camera");
     let scene = scene_of(&figure, &mut no_files, &Default::default()).expect("a scene");
     (Shot::of(&figure), camera, SharedScene::new(scene))

@@ -1,6 +1,6 @@
 //! Filling: any triangles and strokes in the picture, at any depths, become pixels.
 
-use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Samples};
 use camera_lab::drawing::{Base, Drawing, StrokeSet, Surface};
 use camera_lab::raster::Rasterizer;
 
@@ -41,7 +41,7 @@ pub fn run(bytes: &[u8]) {
     let points: Vec<[f32; 3]> =
         positions.iter().map(|p| [p[0], p[1], if p[2].is_finite() { p[2] } else { 0.5 }]).collect();
     let drawing = Drawing {
-        antialias: [1, 4, 16][usize::from(choices >> 6) % 3],
+        antialias: Samples::ALL[usize::from(choices >> 6) % 3],
         painted_in_order: choices & 32 != 0,
         surfaces: vec![surface],
         strokes: vec![StrokeSet { polylines: std::iter::once(0..count).collect(), points, style }],

@@ -2,7 +2,7 @@
 
 #![expect(clippy::cast_possible_truncation, reason = "small numbers, and bytes of random ones")]
 
-use camera_lab_engine::appearance::Rgba;
+use camera_lab_engine::appearance::{Rgba, Samples};
 use camera_lab_engine::drawing::{Base, Drawing, Surface};
 use camera_lab_engine::raster::Rasterizer;
 use tiny_skia::Pixmap;
@@ -31,7 +31,7 @@ impl Random {
     }
 }
 
-pub(crate) fn drawing(width: u32, height: u32, antialias: u8, surfaces: Vec<Surface>) -> Drawing {
+pub(crate) fn drawing(width: u32, height: u32, antialias: Samples, surfaces: Vec<Surface>) -> Drawing {
     Drawing { antialias, surfaces, ..Drawing::new(width, height, WHITE) }
 }
 

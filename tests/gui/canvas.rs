@@ -51,7 +51,7 @@ pub(super) fn stage(change: impl FnOnce(&mut State)) -> Harness<'static, Stage> 
     let mut figure =
         Figure { camera: Parameters { near: 2.0, far: 9.0, ..Parameters::default() }, ..Figure::default() };
     figure.scene.preset = Preset::Cube;
-    figure.style.antialias = 1;
+    figure.style.antialias = camera_lab::appearance::Samples::One;
     figure.observers.world = Some(observer());
     figure.observers.canonical = Some(Observer { target: DVec3::ZERO, distance: 8.0, ..observer() });
     let mut state = State::new(Start { figure, lang: Lang::En, ..Start::default() }).unwrap();

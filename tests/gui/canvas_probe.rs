@@ -242,7 +242,7 @@ fn the_card_of_a_lesson_covers_neither_its_point_nor_the_camera() {
         let mut h = stage(|state| {
             state.model.desk.shown.edit(|figure| {
                 figure.clone_from(&step.figure);
-                figure.style.antialias = 1;
+                figure.style.antialias = camera_lab::appearance::Samples::One;
             });
             state.model.desk.shown.set_parameters(step.figure.camera);
         });

@@ -44,7 +44,7 @@ fn playing(lesson: &Arc<Lesson>, step: usize, lang: Lang) -> Window {
     for step in &mut Arc::make_mut(&mut lesson).steps {
         let figure = Arc::make_mut(&mut step.figure);
         figure.scene = SceneSpec { preset: Preset::Empty, ..SceneSpec::default() };
-        figure.style.antialias = 1;
+        figure.style.antialias = camera_lab::appearance::Samples::One;
     }
     let figure = (*lesson.steps[step].figure).clone();
     let start = Start { figure, lang, lesson: Some(OpenLesson { lesson, path: None, step }), ..Start::default() };

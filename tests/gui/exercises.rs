@@ -28,7 +28,7 @@ pub(super) fn window(lang: Lang) -> Window {
 pub(super) fn window_of(lang: Lang, size: [f32; 2]) -> Window {
     let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
-    figure.style.antialias = 1;
+    figure.style.antialias = camera_lab::appearance::Samples::One;
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.model.layout.maximized = Some(View::Image);

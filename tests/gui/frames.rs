@@ -1,6 +1,6 @@
 //! What a frame of the window has to paint: in software each pixel that is painted once more takes its time.
 
-use camera_lab::appearance::Theme;
+use camera_lab::appearance::{Samples, Theme};
 use camera_lab::gui::{self, App, LaunchOptions, Start, State};
 use camera_lab::scene::Preset;
 use eframe::egui;
@@ -15,7 +15,7 @@ const SIZE: [f32; 2] = [1280.0, 800.0];
 fn window(theme: Theme) -> Window {
     let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
-    figure.style.antialias = 1;
+    figure.style.antialias = Samples::One;
     let mut state = State::new(Start { figure, ..Start::default() }).expect("a possible camera");
     state.model.settings.theme = theme;
     Window::with_state(state, SIZE)

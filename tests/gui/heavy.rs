@@ -28,7 +28,7 @@ fn window(change: impl FnOnce(&mut State)) -> Window {
         ObjectSpec::new("box", Shape::Box).at(-1.5, 0.0, 0.0),
         ObjectSpec::new("ball", Shape::Sphere).with_segments(256),
     ];
-    figure.style.antialias = 1;
+    figure.style.antialias = camera_lab::appearance::Samples::One;
     (figure.image.width, figure.image.height) = (160, 120);
     let mut state =
         State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None, later: None })

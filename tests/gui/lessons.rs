@@ -27,7 +27,7 @@ use crate::words::en;
 pub(crate) fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
     let mut lesson = shipped()[lesson].lesson.clone();
     for step in &mut Arc::make_mut(&mut lesson).steps {
-        Arc::make_mut(&mut step.figure).style.antialias = 1;
+        Arc::make_mut(&mut step.figure).style.antialias = camera_lab::appearance::Samples::One;
     }
     let figure = (*lesson.steps[step].figure).clone();
     let start = Start { figure, lang, lesson: Some(OpenLesson { lesson, path: None, step }), ..Start::default() };

@@ -45,7 +45,13 @@ fn a_study_is_measured_and_its_worst_cameras_open_once_changes_have_been_asked_a
     assert!(window.harness.query_by_label_contains("f64 before the divide").is_some());
 
     // Something is changed; the figure of a row is opened over it.
-    window.app_mut().state.model.desk.shown.edit(|figure| figure.style.antialias = 16);
+    window
+        .app_mut()
+        .state
+        .model
+        .desk
+        .shown
+        .edit(|figure| figure.style.antialias = camera_lab::appearance::Samples::Sixteen);
     window.wait(|_| written(&folder.0).contains("antialias = 16"));
     let row =
         window.state().numerics.found(Study::Clipping).expect("found").rows.iter().rfind(|r| r.method == OWN).cloned();
@@ -56,7 +62,11 @@ fn a_study_is_measured_and_its_worst_cameras_open_once_changes_have_been_asked_a
     buttons.last().expect("a button for each method").click();
     drop(buttons);
     window.run();
-    assert_eq!(window.state().model.desk.shown.figure().style.antialias, 16, "it is asked first");
+    assert_eq!(
+        window.state().model.desk.shown.figure().style.antialias,
+        camera_lab::appearance::Samples::Sixteen,
+        "it is asked first"
+    );
     window.click(en::WINDOW.dont_save);
     assert_eq!(window.state().model.desk.shown.figure().camera, wanted.camera);
     assert!(Camera::new(&wanted.camera).is_ok());

@@ -22,7 +22,7 @@ use crate::words::en;
 fn window(lang: Lang, selected: Option<&str>) -> Window {
     let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
-    figure.style.antialias = 1;
+    figure.style.antialias = camera_lab::appearance::Samples::One;
     figure.scene.objects = vec![
         ObjectSpec::group("arm").at(0.0, 1.0, 0.0),
         ObjectSpec::new("box", Shape::Box).at(2.0, 0.0, 0.0).turned(0.0, 90.0, 0.0).scaled(1.0, 2.0, 3.0).under("arm"),

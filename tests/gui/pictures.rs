@@ -4,7 +4,7 @@ use std::fs::File;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use camera_lab::appearance::Theme;
+use camera_lab::appearance::{Samples, Theme};
 use camera_lab::gui::{Start, State};
 use camera_lab::scene::Preset;
 use camera_lab_words::Lang;
@@ -53,7 +53,7 @@ pub(super) fn write(path: &PathBuf, picture: &RgbaImage) {
 /// The window that one sees first.
 fn first(lang: Lang, theme: Theme, size: [f32; 2]) -> Window {
     let mut figure = camera_lab_desk::document::fresh();
-    figure.style.antialias = 1;
+    figure.style.antialias = Samples::One;
     figure.scene.preset = Preset::Cube;
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
         .expect("a possible camera");

@@ -252,7 +252,7 @@ impl Window {
 fn beside_a_panel_one_picture_is_large_and_it_is_the_one_that_is_explained() {
     let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;
-    figure.style.antialias = 1;
+    figure.style.antialias = camera_lab::appearance::Samples::One;
     let mut state =
         State::new(Start { figure, file: None, lang: Lang::En, allow_files: false, lesson: None, later: None })
             .expect("a camera");

@@ -1,6 +1,6 @@
 //! The inner work of the pipeline: what it shows in the pictures, and the numbers under the pointer.
 
-use camera_lab::appearance::{Rgba, Visibility};
+use camera_lab::appearance::{Rgba, Samples, Visibility};
 use camera_lab::camera::Parameters;
 use camera_lab::figure::{Depth, Explanation, Figure, Observer, Outside, Reveal};
 use camera_lab::gui::{Start, State};
@@ -23,7 +23,7 @@ fn window_with(lang: Lang, picture: View, size: [f32; 2], change: impl FnOnce(&m
     let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Cube;
     figure.camera = Parameters { position: DVec3::Z * 5.0, near: 2.0, far: 8.0, ..Parameters::default() };
-    figure.style.antialias = 1;
+    figure.style.antialias = Samples::One;
     figure.observers.world = Some(Observer {
         target: DVec3::ZERO,
         distance: 9.0,

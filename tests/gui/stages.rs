@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::appearance::Visibility;
+use camera_lab::appearance::{Samples, Visibility};
 use camera_lab::figure::Explanation;
 use camera_lab::gui::{Start, State};
 use camera_lab::scene::Preset;
@@ -17,7 +17,7 @@ use super::window::Window;
 fn staged(lang: Lang) -> Window {
     let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Cube;
-    figure.style.antialias = 1;
+    figure.style.antialias = Samples::One;
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();
     state.model.layout.maximized = Some(View::Image);

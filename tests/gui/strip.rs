@@ -53,7 +53,7 @@ fn the_divide_is_left_out_in_parallel_projection_and_says_why() {
 fn nothing_in_the_strip_lies_over_another_text() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut figure = camera_lab_desk::document::fresh();
-        figure.style.antialias = 1;
+        figure.style.antialias = camera_lab::appearance::Samples::One;
         let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
             .expect("a camera");
         state.model.layout.strip = true;
@@ -123,7 +123,7 @@ fn click(window: &mut Window, name: &str) {
 fn with_house(lang: Lang) -> Window {
     let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::House;
-    (figure.style.antialias, figure.camera.near) = (1, 2.0);
+    (figure.style.antialias, figure.camera.near) = (camera_lab::appearance::Samples::One, 2.0);
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
         .expect("a camera");
     state.model.layout.strip = true;

@@ -19,7 +19,7 @@ use super::window::Window;
 fn staged(lang: Lang) -> Window {
     let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Cube;
-    figure.style.antialias = 1;
+    figure.style.antialias = camera_lab::appearance::Samples::One;
     (figure.image.width, figure.image.height) = (160, 120);
     let mut state =
         State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None }).unwrap();

@@ -79,7 +79,7 @@ impl Window {
     pub(crate) fn new(lang: Lang) -> Self {
         let mut figure = camera_lab_desk::document::fresh();
         figure.scene.preset = Preset::Empty;
-        figure.style.antialias = 1;
+        figure.style.antialias = camera_lab::appearance::Samples::One;
         let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None, later: None })
             .expect("a possible camera");
         state.file_flow.native = false;

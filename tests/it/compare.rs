@@ -309,7 +309,7 @@ fn planes_fight_in_the_image_where_depths_have_few_bits() {
     for format in ["fixed-16", "f32-reversed"] {
         let forced = Request { force_all_stages: true, ..image(format) };
         assert!(drawn(&forced) == drawn(&image(format)), "{format}");
-        for antialias in [4, 16] {
+        for antialias in [camera_lab::appearance::Samples::Four, camera_lab::appearance::Samples::Sixteen] {
             let of = |format| drawn(&image(format).with_shot(|shot| shot.look.style.antialias = antialias));
             assert!(differing(&of("fixed-16"), &of("f32-reversed")) > 300);
         }

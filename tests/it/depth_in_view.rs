@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use camera_lab::appearance::{Rgba, Shading, Style, Visibility};
+use camera_lab::appearance::{Rgba, Samples, Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::{Depth, Figure, Reveal, recommended_camera};
 use camera_lab::pipeline::{Frame, Options, Pipeline, Target};
@@ -46,7 +46,7 @@ fn the_image_is_the_same_whatever_f_and_b_are() {
     for preset in [Preset::House, Preset::Primitives] {
         for projection in [Projection::Perspective, Projection::Parallel] {
             let figure = figure(preset, projection);
-            let style = Style { antialias: 1, ..figure.style };
+            let style = Style { antialias: Samples::One, ..figure.style };
             let expected = picture(&figure, View::Image, style);
             for (near, far) in [(1e-2, 1e4), (1e-4, 1e7), (1e-9, 1e2), (1e-9, 1e6), (1.0, 1e12), (1e-3, 1e15)] {
                 let camera = Parameters { near, far, ..figure.camera };
@@ -65,7 +65,7 @@ fn forced_stages_and_other_orders_show_the_same() {
     let scene = scene_of(&figure, &mut no_files, &Progress::default()).unwrap();
     let camera = Camera::new(&figure.camera).unwrap();
     let target = Target { width: 200, height: 150, scale: 1.0, background: Rgba::rgb(9, 9, 9) };
-    let style = Style { antialias: 1, shading: Shading::Flat, ..figure.style };
+    let style = Style { antialias: Samples::One, shading: Shading::Flat, ..figure.style };
     let planned = Pipeline::default().frame(&scene, &camera, target, &style, Options::default());
     let forced = Options { force_all_stages: true, ..Options::default() };
     let forced = Pipeline::default().frame(&scene, &camera, target, &style, forced);
@@ -87,7 +87,7 @@ fn the_depths_that_are_shown_are_those_of_5_25() {
         let camera = Camera::new(&figure.camera).unwrap();
         let scene = SharedScene::new(scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
         let mut request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), SIZE);
-        request = request.clone().with_shot(|shot| shot.look.style.antialias = 1);
+        request = request.clone().with_shot(|shot| shot.look.style.antialias = Samples::One);
         // In perspective nearly all is white there (Z near 1): distances say more.
         for shown in [Depth::Stored, Depth::Linear] {
             request = request.clone().with_shot(|shot| shot.look.reveal.depth = shown);
@@ -117,7 +117,7 @@ fn the_canonical_volume_shows_a_sheet_in_which_things_hide_each_other() {
         let mut figure = figure(Preset::Primitives, projection);
         (figure.camera.near, figure.camera.far) =
             if projection == Projection::Parallel { (1.0, 1e12) } else { (1e-9, 1e3) };
-        let style = Style { antialias: 1, ..figure.style };
+        let style = Style { antialias: Samples::One, ..figure.style };
         let split = Style { visibility: Visibility::Bsp, ..style };
         let (tested, split) = (picture(&figure, View::Canonical, style), picture(&figure, View::Canonical, split));
         let share = differing(&tested, &split);

@@ -3,7 +3,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::appearance::Style;
+use camera_lab::appearance::{Samples, Style};
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
 use camera_lab::figure::{Figure, Reveal};
 use camera_lab::numbers::random::Random;
@@ -111,7 +111,7 @@ fn scene(objects: Vec<ObjectSpec>) -> Scene {
 fn pixels(scene: &Scene, camera: &Parameters, style: &Style) -> usize {
     let ground = camera_lab::appearance::Rgba::rgb(1, 2, 3);
     let target = Target { width: IMAGE.width, height: IMAGE.height, scale: 1.0, background: ground };
-    let drawing = draw(scene, &Camera::new(camera).unwrap(), target, &Style { antialias: 1, ..*style });
+    let drawing = draw(scene, &Camera::new(camera).unwrap(), target, &Style { antialias: Samples::One, ..*style });
     let pixmap = Rasterizer::default().paint(&drawing).unwrap();
     pixmap.data().chunks_exact(4).filter(|pixel| pixel[..3] != [1, 2, 3]).count()
 }

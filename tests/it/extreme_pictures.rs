@@ -4,7 +4,7 @@
 
 use std::collections::BTreeSet;
 
-use camera_lab::appearance::{Rgba, Theme};
+use camera_lab::appearance::{Rgba, Samples, Theme};
 use camera_lab::camera::Camera;
 use camera_lab::drawing::Drawing;
 use camera_lab::figure::read::parse;
@@ -33,7 +33,7 @@ fn drawing_of(text: &str, view: View, lang: Lang) -> Drawing {
     let camera = Camera::new(&figure.camera).unwrap();
     let scene = SharedScene::new(scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
     let mut request = Request::of(&figure, view, &camera, &scene, pictures::labels(lang), SIZE);
-    request = request.clone().with_shot(|shot| shot.look.style.antialias = 1);
+    request = request.clone().with_shot(|shot| shot.look.style.antialias = Samples::One);
     frame(&request, None, &mut TimedPipeline::default()).drawing
 }
 

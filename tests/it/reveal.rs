@@ -1,7 +1,7 @@
 //! `[reveal]`: the pipeline's inner work in the pictures.
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use camera_lab::appearance::{MarkShape, Rgba, Shading, Style, Theme, Visibility};
+use camera_lab::appearance::{MarkShape, Rgba, Samples, Shading, Style, Theme, Visibility};
 use camera_lab::camera::{Camera, Ndc, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::figure::{Depth, Figure, Observer, Outside, Reveal};
 use camera_lab::pipeline::clip_parts;
@@ -69,7 +69,7 @@ fn the_greys_are_those_of_the_depth_buffer() {
     {
         let mut figure = with_glass(house(Reveal { depth, ..Reveal::default() }));
         figure.camera.projection = projection;
-        figure.style.antialias = 1;
+        figure.style.antialias = Samples::One;
         let camera = figure.camera;
         let nothing = Palette::of(figure.style.theme).nothing;
         let greys = image(&Pictured::of(figure.clone()).bare());
@@ -137,7 +137,7 @@ fn the_numbers_of_a_pixel_are_those_of_the_notes() {
 #[test]
 fn the_numbers_are_those_of_the_picture_and_glass_has_none() {
     let mut figure = with_glass(house(Reveal::default()));
-    figure.style.antialias = 1;
+    figure.style.antialias = Samples::One;
     let pictured = Pictured::of(figure.clone()).forced();
     let mut rasterizer = Rasterizer::default();
     rasterizer.paint(&pictured.image()).unwrap();
@@ -201,7 +201,7 @@ fn whatever_is_revealed_the_plan_changes_no_pixel() {
             // Into the scene, so that some of it is cut, some lost, and some behind the eye.
             figure.camera.position *= 0.35;
             (figure.camera.near, figure.camera.far) = (0.4, 4.0);
-            figure.style = Style { shading, visibility, antialias: 1, ..Style::default() };
+            figure.style = Style { shading, visibility, antialias: Samples::One, ..Style::default() };
             let pictured = || Pictured::of(figure.clone()).sized(120, 90);
             let what = format!("{reveal:?}, {scene:?}, {shading:?}, {visibility:?}");
             assert!(painted(&pictured()) == painted(&pictured().forced()), "{what}");
@@ -615,7 +615,7 @@ proptest! {
             view_angle,
             ..figure.camera
         };
-        figure.style = Style { shading, antialias: 1, ..Style::default() };
+        figure.style = Style { shading, antialias: Samples::One, ..Style::default() };
         prop_assume!(Camera::new(&figure.camera).is_ok());
         let pictured = || Pictured::of(figure.clone()).sized(80, 60);
         prop_assert!(painted(&pictured()) == painted(&pictured().forced()));

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use camera_lab::appearance::{Rgba, Shading, Style, Texture, Theme, Visibility};
+use camera_lab::appearance::{Rgba, Samples, Shading, Style, Texture, Theme, Visibility};
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
 use camera_lab::drawing::{Area, ShadowMap, SurfaceLight};
 use camera_lab::figure::Figure;
@@ -83,7 +83,7 @@ const FLAT: Style = Style {
     shading: Shading::Flat,
     visibility: Visibility::DepthBuffer,
     hidden_lines: camera_lab::appearance::HiddenLines::Shown,
-    antialias: 1,
+    antialias: Samples::One,
     theme: Theme::Light,
     depth_format: camera_lab::appearance::DepthFormat::Float,
 };

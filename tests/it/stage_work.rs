@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::appearance::{Rgba, Shading};
+use camera_lab::appearance::{Rgba, Samples, Shading};
 use camera_lab::camera::Camera;
 use camera_lab::clock;
 use camera_lab::figure::{Depth, Figure, StagePicture};
@@ -25,7 +25,7 @@ fn request(near: f64) -> Request {
     let mut figure = Figure::default();
     figure.scene.preset = Preset::House;
     (figure.camera.near, figure.camera.far) = (near, 40.0);
-    (figure.camera.aspect, figure.style.antialias) = (1.0, 4);
+    (figure.camera.aspect, figure.style.antialias) = (1.0, Samples::Four);
     figure.style.shading = Shading::Flat;
     let camera = Camera::new(&figure.camera).unwrap();
     let scene = scene_of(&figure, &mut |_| unreachable!("no meshes"), &Default::default()).unwrap();
@@ -86,7 +86,8 @@ fn every_vertex_that_clipping_makes_lies_in_a_plane() {
     let work = clipped.work.unwrap();
     assert!(!work.cuts.is_empty() && !work.before.is_empty() && !work.after.is_empty());
     let depths = clipped.depths;
-    let volume = camera_lab::pipeline::depths::DepthScale::of_volume(true, 6.0, 40.0);
+    let volume =
+        camera_lab::pipeline::depths::DepthScale::of_volume(camera_lab::camera::Projection::Perspective, 6.0, 40.0);
     for [x, y, depth] in work.cuts {
         let at = |v: f32| v < 0.01 || v > SIDE as f32 - 0.01;
         let of_volume = depths.in_scale(&volume, f64::from(depth));
@@ -125,7 +126,7 @@ fn the_left_half_is_before_the_stage_and_the_right_half_after_it() {
     let whole = renderer.pixels(&plain).unwrap();
     let shown = renderer.pixels(&staged(&plain, Stage::Antialias)).unwrap();
     let mut rough = plain.clone();
-    rough = rough.with_shot(|shot| shot.look.style.antialias = 1);
+    rough = rough.with_shot(|shot| shot.look.style.antialias = Samples::One);
     let rough = renderer.pixels(&rough).unwrap();
     assert_eq!(half(&shown, true), half(&whole, true));
     assert_eq!(half(&shown, false), half(&rough, false));

@@ -1,7 +1,7 @@
 //! Cameras, operations, points and scenes that nobody would write, and what must be true of them: `cargo test` tries
 //! some, the example `stress` as many as it is told.
 
-use camera_lab::appearance::{Shading, Style, Visibility};
+use camera_lab::appearance::{Samples, Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Convention, ImageSize, Operation, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::figure::Figure;
 use camera_lab::geometry::Angle;
@@ -204,7 +204,7 @@ fn picture(random: &mut Random, camera: &Camera, tried: &mut Tried) -> Result<()
     let style = Style {
         shading: [Shading::Flat, Shading::Phong, Shading::Gouraud, Shading::Wireframe][pick(random, 4)],
         visibility: [Visibility::DepthBuffer, Visibility::Painter, Visibility::Bsp][pick(random, 3)],
-        antialias: 1,
+        antialias: Samples::One,
         ..Style::default()
     };
     let figure = Figure { camera: *camera.parameters(), scene, style, ..Figure::default() };

@@ -92,7 +92,7 @@ pub(crate) fn read(bytes: &[u8]) -> Pixmap {
 /// A folder with a configuration of fonts that has the program's alone: a bare machine has none.
 pub(crate) fn bench_with_fonts(name: &str) -> Bench {
     let bench = Bench::new(name);
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/fonts");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/engine/fonts");
     let cache = bench.path("fonts");
     let text = format!(
         "<?xml version=\"1.0\"?><fontconfig><dir>{}</dir><cachedir>{}</cachedir></fontconfig>",

@@ -3,14 +3,13 @@
 //! A leaf module, which imports nothing of the crate.
 
 mod level;
-mod level_pairs;
 mod texture;
 
 use std::fmt;
 use std::str::FromStr;
 
 pub use level::Level;
-pub(crate) use level_pairs::LevelPairs;
+pub(crate) use level::LevelPairs;
 pub use texture::{Filter, LEVEL_COLORS, LightShare, Sampler, Texture, TextureReveal, Wrap};
 
 /// A colour with straight (not premultiplied) alpha, 8 bits a channel, in sRGB.
@@ -199,6 +198,43 @@ impl Theme {
     }
 }
 
+/// The number of samples in each pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Samples {
+    /// The centre alone, without antialiasing.
+    One,
+    /// Two by two, on a turned lattice.
+    #[default]
+    Four,
+    /// Four by four, on a turned lattice.
+    Sixteen,
+}
+
+impl Samples {
+    /// All, the fewest first.
+    pub const ALL: [Self; 3] = [Self::One, Self::Four, Self::Sixteen];
+
+    /// The number: 1, 4 or 16.
+    pub const fn count(self) -> u8 {
+        match self {
+            Self::One => 1,
+            Self::Four => 4,
+            Self::Sixteen => 16,
+        }
+    }
+
+    /// The samples of this number. `None` for numbers other than 1, 4 and 16.
+    pub fn from_count(count: u8) -> Option<Self> {
+        Self::ALL.into_iter().find(|samples| samples.count() == count)
+    }
+}
+
+impl fmt::Display for Samples {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.count().fmt(f)
+    }
+}
+
 /// The `[style]` section of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Style {
@@ -208,8 +244,8 @@ pub struct Style {
     pub visibility: Visibility,
     /// Drawing of hidden parts of lines.
     pub hidden_lines: HiddenLines,
-    /// Samples per pixel: 1, 4 or 16.
-    pub antialias: u8,
+    /// Samples per pixel.
+    pub antialias: Samples,
     /// The ground and the contrast.
     pub theme: Theme,
     /// The format in which the image stores depths.
@@ -222,7 +258,7 @@ impl Default for Style {
             shading: Shading::default(),
             visibility: Visibility::default(),
             hidden_lines: HiddenLines::default(),
-            antialias: 4,
+            antialias: Samples::default(),
             theme: Theme::default(),
             depth_format: DepthFormat::default(),
         }

@@ -44,6 +44,7 @@ pub struct ExpressionError {
 
 /// A problem in an expression.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExpressionProblem {
     /// The text is empty.
     #[error("a number is missing")]

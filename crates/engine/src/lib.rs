@@ -14,6 +14,9 @@
 //! Start with [`raster::textbook`], a whole rasterizer without tricks, and with [`camera`] for the model of the notes.
 //! [`pipeline`] leads from a scene to a drawing, which [`raster`] paints.
 //!
+//! Without the feature `import` there is no glTF, no texture from a file, and no camera in JSON or YAML. Without `text`
+//! an image has no labels. The README has the limitations.
+//!
 //! # A mesh on an image
 //!
 //! A scene is built from a spec, the pipeline turns it into a [`drawing::Drawing`] in pixels with depths, and the
@@ -46,17 +49,17 @@
 //! use camera_lab_engine::camera::{Camera, ImageSize, Parameters, Viewport};
 //! use glam::{DVec2, DVec3};
 //!
-//! let position = DVec3::new(0.0, 0.0, 5.0);
-//! let camera = Camera::new(&Parameters { position, view_angle: 90.0, near: 1.0, far: 3.0, aspect: 1.0, ..Parameters::default() })?;
-//! let image = ImageSize { width: 100, height: 100 };
-//! let p = camera.stations(DVec3::new(1.0, -1.0, 3.0), image, &Viewport::whole(image));
-//! assert_eq!(p.view, DVec3::new(1.0, -1.0, -2.0)); // M_v, `[0]` (5.7)
-//! assert_eq!(p.clip.w, 2.0); // M_p, (5.14): the distance from the plane through the eye
-//! let projected = p.projected.expect("w isn't 0");
-//! assert_eq!(projected.ndc, DVec3::new(0.5, -0.5, 0.5)); // x, y and z divided by w, (5.6)
-//! assert_eq!(projected.pixel, DVec2::new(75.0, 75.0)); // (5.22)
+//! let position = DVec3::new(0.0, 0.0, 5.0); let camera = Camera::new(&Parameters { position, view_angle: 90.0, near:
+//! 1.0, far: 3.0, aspect: 1.0, ..Parameters::default() })?; let image = ImageSize { width: 100, height: 100 }; let p =
+//! camera.stations(DVec3::new(1.0, -1.0, 3.0), image, &Viewport::whole(image)); assert_eq!(p.view, DVec3::new(1.0,
+//! -1.0, -2.0)); // M_v, `[0]` (5.7) assert_eq!(p.clip.w, 2.0); // M_p, (5.14): the distance from the plane through the
+//! eye let projected = p.projected.expect("w isn't 0"); assert_eq!(projected.ndc, DVec3::new(0.5, -0.5, 0.5)); // x, y
+//! and z divided by w, (5.6) assert_eq!(projected.pixel, DVec2::new(75.0, 75.0)); // (5.22)
 //! # Ok::<(), camera_lab_engine::camera::CameraError>(())
 //! ```
+
+pub use glam;
+pub use tiny_skia;
 
 pub mod appearance;
 pub mod camera;
@@ -75,3 +78,32 @@ pub mod scene;
 mod simd;
 pub mod stage;
 pub mod text;
+
+/// Runs the examples of the README.
+#[cfg(all(doctest, feature = "import"))]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
+
+#[cfg(test)]
+mod tests {
+    /// Compiles only if values of a type may move to another thread, and be shared with it.
+    const fn crosses_threads<T: Send + Sync>() {}
+
+    #[test]
+    fn values_cross_threads() {
+        crosses_threads::<crate::camera::Camera>();
+        crosses_threads::<crate::camera::CameraError>();
+        crosses_threads::<crate::camera::Pasted>();
+        crosses_threads::<crate::camera::Recognised>();
+        crosses_threads::<crate::drawing::Drawing>();
+        crosses_threads::<crate::pipeline::Frame>();
+        crosses_threads::<crate::pipeline::Pipeline>();
+        crosses_threads::<crate::progress::Progress>();
+        crosses_threads::<crate::raster::Rasterizer>();
+        crosses_threads::<crate::scene::MeshError>();
+        crosses_threads::<crate::scene::MeshFiles>();
+        crosses_threads::<crate::scene::Scene>();
+        crosses_threads::<crate::scene::SceneError>();
+        crosses_threads::<crate::scene::SceneSpec>();
+    }
+}

@@ -47,8 +47,8 @@ pub enum DecimalMark {
 }
 
 impl DecimalMark {
-    /// The mark of a language by its tag: a point in English, Chinese, Japanese, Korean, Hebrew and Thai, a comma in the
-    /// others.
+    /// The mark of a language by its tag: a point in English, Chinese, Japanese, Korean, Hebrew and Thai, a comma in
+    /// the others.
     pub fn of_language(tag: &str) -> Self {
         let primary = tag.split('-').next().unwrap_or_default();
         if ["en", "zh", "ja", "ko", "he", "th"].contains(&primary) { Self::Point } else { Self::Comma }

@@ -79,7 +79,7 @@ impl Stage {
     /// path gives the same bytes. Without a depth buffer, see `crates/engine/src/pipeline/stage/hidden_surfaces.rs`.
     pub fn source(self) -> String {
         let file = match self {
-            Self::Oblique => "oblique".to_owned(),
+            Self::Transform | Self::Oblique | Self::Divide | Self::Viewport => "vertex".to_owned(),
             Self::Lines => "lines".to_owned(),
             _ if self.is_raster() => return "crates/engine/src/raster/textbook.rs".to_owned(),
             _ => self.name().replace('-', "_"),

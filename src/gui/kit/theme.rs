@@ -12,6 +12,11 @@ use crate::text::{self, runs};
 
 /// Letters for titles and the heads of sections: Latin, Greek and the signs of mathematics.
 const BOLD_BYTES: &[u8] = include_bytes!("../../../assets/fonts/DejaVuSans-Bold.ttf");
+/// Code and columns of numbers. A page downloads fewer characters of the same outlines (`dist/web/fonts.sh`).
+#[cfg(not(target_arch = "wasm32"))]
+const MONOSPACED_BYTES: &[u8] = include_bytes!("../../../assets/fonts/DejaVuSansMono.ttf");
+#[cfg(target_arch = "wasm32")]
+const MONOSPACED_BYTES: &[u8] = include_bytes!("../../../assets/fonts/page/DejaVuSansMono.ttf");
 
 fn bold_family() -> FontFamily {
     FontFamily::Name("bold".into())
@@ -28,7 +33,7 @@ pub fn install_fonts(ctx: &egui::Context) {
     let faces: [(&str, &'static [u8], FontFamily); 3] = [
         ("DejaVu Sans Bold", BOLD_BYTES, bold_family()),
         ("DejaVu Sans", text::FONT_BYTES, FontFamily::Proportional),
-        ("DejaVu Sans Mono", text::MONOSPACED_FONT_BYTES, FontFamily::Monospace),
+        ("DejaVu Sans Mono", MONOSPACED_BYTES, FontFamily::Monospace),
     ];
     for (name, bytes, family) in faces {
         fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));

@@ -42,7 +42,7 @@ use self::rendering::{Missing, RenderJob, Rendering};
 use self::status::StatusAction;
 use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
-use crate::appearance::Rgba;
+use crate::appearance::{Rgba, Samples};
 use crate::figure::{Explanation, Observer};
 use crate::gui::pictures::arrange::auto_observer::Auto;
 use crate::gui::pictures::arrange::title::{Title, TitleAction};
@@ -438,7 +438,7 @@ impl Canvas {
                 continue;
             }
             let request = Request { scene: scene.clone(), ..pane.request.clone() };
-            let heavy = style.antialias > 1 && self.rendering.is_heavy(picture, patience);
+            let heavy = style.antialias != Samples::One && self.rendering.is_heavy(picture, patience);
             let accounted = model.accounts_for_stages() && model.layout.strip_of == pane.view;
             if !inputs.frozen {
                 self.rendering.ask(ctx, RenderJob { picture, request, draft: moving && heavy, max_side, accounted });

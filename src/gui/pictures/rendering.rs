@@ -138,7 +138,7 @@ fn work(turn: Arc<Turn>, shadow_maps: &ShadowMaps) -> impl AsyncFnMut(RenderJob,
         let _under_way = RunningJob(&turn);
         let RenderJob { picture, mut request, draft, max_side, accounted } = job;
         if draft {
-            request = request.with_shot(|shot| shot.look.style.antialias = 1);
+            request = request.with_shot(|shot| shot.look.style.antialias = crate::appearance::Samples::One);
         }
         renderer.measure(accounted.then_some(clock::now));
         renderer.watch(progress);

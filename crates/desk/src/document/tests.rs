@@ -157,7 +157,7 @@ fn kept_operations_go_when_the_camera_changes_otherwise() {
     document.commit();
     document.show_mut().operations = vec![azimuth(30.0)];
     document.commit();
-    document.edit(|figure| figure.style.antialias = 16);
+    document.edit(|figure| figure.style.antialias = camera_lab_engine::appearance::Samples::Sixteen);
     document.commit();
     assert_eq!(document.figure().show.operations.len(), 1, "it still leads to the camera");
     document.set_camera(turned(&document, 5.0));

@@ -3,8 +3,7 @@
 use std::sync::OnceLock;
 
 use super::Rgba;
-use super::level::Level;
-use super::level_pairs::LevelPairs;
+use super::level::{Level, LevelPairs};
 
 /// A picture that is painted on surfaces, with its levels of detail.
 #[derive(Clone, Debug)]

@@ -27,7 +27,6 @@ mod operation;
 mod parameters;
 mod photograph;
 mod place;
-mod ray;
 mod recovery;
 mod stations;
 mod stereo;

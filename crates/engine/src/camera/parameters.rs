@@ -14,6 +14,13 @@ pub enum Projection {
     Parallel,
 }
 
+impl Projection {
+    /// True for perspective, in which points are divided by their distance.
+    pub const fn is_perspective(self) -> bool {
+        matches!(self, Self::Perspective)
+    }
+}
+
 /// The view window on the plane z_c = −F, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewWindow {
@@ -320,6 +327,7 @@ impl fmt::Display for Derived {
 
 /// The reason why parameters aren't a camera.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum CameraError {
     /// C = PF.
     #[error("focal_point is the same point as position; allowed: any other point")]

@@ -6,6 +6,30 @@ use super::{ClipSpace, ImageSize, NotProjectable, Projection, Viewport};
 use crate::geometry::double_double::{Dd, Dd3};
 
 /// Coordinates of a point in one of its spaces.
+///
+/// A place names its space, so that a point of view space isn't taken for one of the world:
+///
+/// ```compile_fail,E0308
+/// # use camera_lab_engine::camera::{Camera, ImageSize, Parameters, Place, Viewport};
+/// # use camera_lab_engine::glam::DVec3;
+/// # let camera = Camera::new(&Parameters::default())?;
+/// # let image = ImageSize::default();
+/// let p_view = Place::View(DVec3::new(0.0, 0.0, -2.0));
+/// camera.stations(p_view, image, &Viewport::whole(image)); // expects a point of the world
+/// # Ok::<(), camera_lab_engine::camera::CameraError>(())
+/// ```
+///
+/// A pixel has whole numbers, so that a point of the view window isn't taken for one:
+///
+/// ```compile_fail,E0308
+/// # use camera_lab_engine::camera::{Camera, ImageSize, Parameters};
+/// # use camera_lab_engine::glam::DVec2;
+/// # let camera = Camera::new(&Parameters::default())?;
+/// # let image = ImageSize::default();
+/// let p_window = DVec2::new(0.25, -0.5);
+/// camera.ray_through_pixel(image, p_window.x, p_window.y); // `ray_through_window` is meant
+/// # Ok::<(), camera_lab_engine::camera::CameraError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
     /// World.

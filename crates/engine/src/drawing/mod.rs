@@ -25,7 +25,7 @@ mod surface;
 
 use std::ops::Range;
 
-use crate::appearance::{DepthFormat, LineStyle, MarkShape, Rgba};
+use crate::appearance::{DepthFormat, LineStyle, MarkShape, Rgba, Samples};
 pub use shadow::{BlockedLight, Rays, Shadow, ShadowMap};
 pub use surface::{Base, Lighting, PixelLight, Surface, SurfaceLight, ViewLight};
 
@@ -39,7 +39,7 @@ pub struct Drawing {
     /// The colour under everything.
     pub background: Rgba,
     /// Samples per pixel for surfaces: 1, 4 or 16. Strokes and labels are always smooth.
-    pub antialias: u8,
+    pub antialias: Samples,
     /// The surfaces are listed from back to front. Each triangle, opaque or translucent, is painted over those before
     /// it, whatever their depths. The last opaque one painted still leaves its depth, for strokes and labels.
     pub painted_in_order: bool,
@@ -64,7 +64,7 @@ impl Drawing {
             width,
             height,
             background,
-            antialias: 1,
+            antialias: Samples::One,
             painted_in_order: false,
             depth_format: DepthFormat::default(),
             surfaces: Vec::new(),

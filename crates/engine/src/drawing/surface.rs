@@ -2,7 +2,7 @@
 //!
 //! A [`Base`] and a [`SurfaceLight`] are independent, and any two go together. The questions that the rest of the
 //! program has about either are answered here, so that a new base or a new light is an arm in each method of
-//! [`Surface`], in the one function of the pipeline that makes it (`pipeline/stage/light.rs`), in
+//! [`Surface`], in the two files of the pipeline that make it (`pipeline/stage/attributes.rs`, `light.rs`), in
 //! `pipeline/mesh/resample.rs`, which cuts it, and in `raster/surfaces/per_pixel.rs`, which paints it.
 
 use std::sync::Arc;

@@ -55,32 +55,17 @@ fn vertex_offsets(vertices: &[MisplacedVertex]) -> String {
 }
 
 impl OverBudget {
-    /// `shares`: how many pieces each object has, by its name.
-    pub(crate) fn pieces<'a>(shares: impl Iterator<Item = (&'a str, usize)>) -> Self {
+    /// `shares`: how many pieces each object of the scene has, by its name. `None` if only gear was split.
+    pub(crate) fn pieces<'a>(shares: impl Iterator<Item = (&'a str, usize)>) -> Option<Self> {
         let mut shares: Vec<(&str, usize)> = shares.collect();
         shares.sort_by_key(|(_, share)| std::cmp::Reverse(*share));
-        Self::Pieces { objects: shares.into_iter().map(|(name, _)| name.to_owned()).collect() }
+        let objects: Vec<String> = shares.into_iter().map(|(name, _)| name.to_owned()).collect();
+        (!objects.is_empty()).then_some(Self::Pieces { objects })
     }
 
     /// `None` if no vertex is.
     pub(crate) fn rounding(vertices: Vec<MisplacedVertex>) -> Option<Self> {
         (!vertices.is_empty()).then_some(Self::Rounding { vertices })
-    }
-
-    /// Keeps only the names that `is_known`, because a picture has objects of its own besides the scene's. `None` if no
-    /// name is left.
-    pub fn about(self, is_known: impl Fn(&str) -> bool) -> Option<Self> {
-        match self {
-            Self::Pieces { mut objects } => {
-                objects.retain(|name| is_known(name));
-                (!objects.is_empty()).then_some(Self::Pieces { objects })
-            }
-            Self::Rounding { mut vertices } => {
-                vertices.retain(|vertex| is_known(&vertex.object));
-                Self::rounding(vertices)
-            }
-            Self::Strokes => Some(Self::Strokes),
-        }
     }
 }
 
@@ -94,21 +79,4 @@ pub fn names(objects: &[String], rest: &str) -> String {
         named.push(rest.to_owned());
     }
     named.join(", ")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn of_objects_that_nobody_knows_nothing_is_said() {
-        let shares = || OverBudget::pieces([("cube", 3), ("camera", 5)].into_iter());
-        let OverBudget::Pieces { objects } =
-            shares().about(|name| name == "cube").into_iter().next().unwrap_or_else(shares)
-        else {
-            panic!("pieces")
-        };
-        assert_eq!(objects, ["cube"]);
-        assert_eq!(shares().about(|_| false), None);
-    }
 }

@@ -35,7 +35,7 @@ mod show;
 mod space;
 mod stage;
 
-use crate::appearance::{Rgba, Shading, Style, Visibility};
+use crate::appearance::{Rgba, Samples, Shading, Style, Visibility};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
@@ -55,14 +55,14 @@ pub use report::work::{ObjectWork, StageWork, VertexWork};
 pub use report::{FollowedTriangle, Frame, StageReport};
 pub use scenes::Scenes;
 pub use show::{canonical, clip_parts, cull_result, divide_before_clip, one_triangle, shadow_rays};
+use space::Screen;
 pub use space::depths;
 use space::depths::InView;
-pub use space::planes::{NEAR, PlaneSet};
 use space::projector::Projector;
-use space::screen::Screen;
+pub use space::{NEAR, PlaneSet};
 use stage::cull_objects::cull_objects;
 use stage::faces::Faces;
-use stage::hidden_surfaces::{Unordered, hidden_surfaces};
+use stage::hidden_surfaces::{PieceBudget, Unordered, hidden_surfaces};
 use stage::lines::{self, Strokes, lines};
 pub use stage::reflection;
 use stage::reflection::Lights;
@@ -91,7 +91,12 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
 /// All faces of a scene as a light sees them, for its shadow map: depths are 1 at F and 0 at B.
 fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
     let target = Target { width: size, height: size, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
-    let style = Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, antialias: 1, ..Style::default() };
+    let style = Style {
+        shading: Shading::Flat,
+        visibility: Visibility::DepthBuffer,
+        antialias: Samples::One,
+        ..Style::default()
+    };
     let options = Options { depth_of_volume: true, ..Options::default() };
     let mut drawing = Pipeline::default().frame(scene, camera, target, &style, options).drawing;
     drawing.surfaces.iter_mut().for_each(|surface| surface.depth_test = true);
@@ -109,10 +114,10 @@ pub struct Pipeline {
     pub max_pieces: Option<usize>,
 }
 
-/// A clone begins with empty buffers.
+/// A clone has the limit of pieces, and begins with empty buffers and shadow maps of its own.
 impl Clone for Pipeline {
     fn clone(&self) -> Self {
-        Self::default()
+        Self { max_pieces: self.max_pieces, ..Self::default() }
     }
 }
 
@@ -187,7 +192,8 @@ impl Pipeline {
             unordered = Unordered::default();
         }
         let max_pieces = self.max_pieces.unwrap_or(MAX_PIECES);
-        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), max_pieces, &self.progress);
+        let budget = PieceBudget { max_pieces, own_objects: scenes.own_object_count() };
+        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), budget, &self.progress);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 
@@ -209,7 +215,7 @@ impl Pipeline {
         let mut frame = recorder.frame(drawing, scenes);
         if let Some((pieces, over_budget)) = ordered.given_up {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
-            frame.over_budget = Some(over_budget);
+            frame.over_budget = over_budget.or(frame.over_budget);
         }
         frame
     }

@@ -2,17 +2,18 @@
 
 use crate::appearance::{Style, Visibility};
 use crate::pipeline::plan::{FacesDone, LitAt, ObjectPlan, Options, Plan};
+use crate::pipeline::space::Screen;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
-use crate::pipeline::space::screen::Screen;
+use crate::pipeline::stage::attributes::FacesToLight;
 use crate::pipeline::stage::clip::clip;
 use crate::pipeline::stage::cull_faces::{FaceTask, cull_faces};
 use crate::pipeline::stage::faces::Faces;
 use crate::pipeline::stage::hidden_surfaces::Unordered;
-use crate::pipeline::stage::light::{Shaded, light};
+use crate::pipeline::stage::light::light;
 use crate::pipeline::stage::lines::{Strokes, object_lines};
 use crate::pipeline::stage::reflection::Lights;
 use crate::pipeline::stage::shadow_maps::ShadowLight;
-use crate::pipeline::stage::vertices::Vertices;
+use crate::pipeline::stage::vertices::{Snap, Vertices, Wanted};
 use crate::scene::Object;
 
 /// The data that all objects of a picture share.
@@ -52,8 +53,9 @@ impl<'a> ObjectPass<'a> {
     /// Transform, oblique window, divide and viewport: takes each vertex of its faces through all spaces, once.
     pub(crate) fn transform(&self, faces: &mut Faces) {
         let PassContext { projector, screen, .. } = self.context;
-        let interpolates = projector.perspective && self.plan.interpolates(self.object);
-        faces.image.fill::<true>(&self.vertices(), screen, self.plan.clip_planes != 0, interpolates);
+        let inverse_w = projector.projection.is_perspective() && self.plan.interpolates(self.object);
+        let wanted = Wanted { outcodes: self.plan.clip_planes != 0, inverse_w };
+        faces.image.fill(&self.vertices(), screen, Snap::Grid, wanted);
     }
 
     /// Drops the faces that turn their back, or are outside of a plane.
@@ -77,7 +79,7 @@ impl<'a> ObjectPass<'a> {
     pub(crate) fn light(&self, faces: &mut Faces, into: &mut Unordered<'a>) {
         let PassContext { plan, lights, .. } = self.context;
         let mesh = &self.object.mesh;
-        let shaded = Shaded {
+        let to_light = FacesToLight {
             object: self.object,
             vertices: self.vertices(),
             lights,
@@ -88,11 +90,11 @@ impl<'a> ObjectPass<'a> {
             depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
         };
         if plan.order == Visibility::DepthBuffer {
-            into.surfaces.extend(light(&shaded, faces));
+            into.surfaces.extend(light(&to_light, faces));
         } else {
             let never_hides_itself = mesh.convex && mesh.closed && self.culls_back(faces) && faces.turned_over == 0;
-            if let Some(layer) = shaded.layer(faces, never_hides_itself) {
-                into.add_layer(self.object, layer);
+            if let Some(layer) = to_light.layer(faces, never_hides_itself) {
+                into.add_layer(self.index, self.object, layer);
             }
         }
     }

@@ -69,6 +69,11 @@ impl<'a> Scenes<'a> {
         self.scene.objects.iter().chain(&self.gear.objects)
     }
 
+    /// Number of [`Self::objects`] that belong to the scene. They come first.
+    pub(crate) fn own_object_count(self) -> usize {
+        self.scene.objects.len()
+    }
+
     pub(crate) fn lines(self) -> impl Iterator<Item = &'a Line> {
         self.scene.lines.iter().chain(&self.gear.lines)
     }

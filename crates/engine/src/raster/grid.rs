@@ -1,7 +1,7 @@
 //! The rules of coverage and precision that the textbook's rasterizer and the fast one share: the grid on which
 //! vertices lie, the samples of a pixel, and when single precision is enough.
 
-use crate::drawing::Drawing;
+use crate::appearance::Samples;
 use crate::simd::round_bits_of_one;
 
 /// Steps of the snapping grid per pixel.
@@ -23,11 +23,11 @@ pub(super) const FRACTION: u32 = (1 << 23) - 1;
 
 /// Places of a pixel's samples relative to its centre, in steps. 4 and 16 lie on a turned lattice. No two share a row
 /// or a column, so upright and level edges get as many shades as there are samples.
-pub(super) fn samples(count: usize) -> &'static [[i32; 2]] {
-    match count {
-        1 => &[[0, 0]],
-        4 => &LATTICE_4,
-        _ => &LATTICE_16,
+pub(super) fn samples(samples: Samples) -> &'static [[i32; 2]] {
+    match samples {
+        Samples::One => &[[0, 0]],
+        Samples::Four => &LATTICE_4,
+        Samples::Sixteen => &LATTICE_16,
     }
 }
 
@@ -65,15 +65,6 @@ pub(super) fn snapped([x, y, _]: [f32; 3]) -> Option<[i32; 2]> {
 /// Steps between places of samples in pixels.
 pub(super) fn in_pixels(steps: i32) -> f32 {
     steps as f32 / STEPS as f32
-}
-
-/// The number of samples in a pixel.
-pub(super) fn samples_in(drawing: &Drawing) -> usize {
-    match drawing.antialias {
-        0..=1 => 1,
-        2..=4 => 4,
-        _ => 16,
-    }
 }
 
 /// Threshold for the terms of a gradient (steps of 255 per pixel): above it the triangle is a sliver, and the gradient

@@ -1,12 +1,12 @@
-//! Filled areas, point marks and texts on the picture.
+//! Filled areas and point marks on the picture, and what texts share with them.
 
 use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, PathSegment, Pixmap, Point, Stroke, Transform};
 
 use crate::appearance::{MarkShape, Occlusion, Rgba};
-use crate::drawing::{Anchor, Area, Label, Mark};
-use crate::text::{self, Element};
+use crate::drawing::{Area, Mark};
+use crate::text::Element;
 
-use super::depth::{DepthBuffer, Occluders};
+use super::depth::Occluders;
 
 /// Opacity of a label or a mark behind a face, relative to its own.
 pub const FADED: f32 = 0.45;
@@ -19,40 +19,11 @@ pub const HALO: f32 = 0.28;
 const FARTHEST: f32 = 16_777_216.0;
 
 /// True if a path at a place, with a stroke of some width around it, is near enough to be drawn.
-fn is_near(path: &Path, [x, y]: [f32; 2], stroke: f32) -> bool {
+pub(super) fn is_near(path: &Path, [x, y]: [f32; 2], stroke: f32) -> bool {
     // A mitred corner reaches out by four widths.
     let is_near = |v: f32| v.abs() + 4.0 * stroke < FARTHEST;
     let bounds = path.bounds();
     [bounds.left() + x, bounds.right() + x, bounds.top() + y, bounds.bottom() + y].into_iter().all(is_near)
-}
-
-/// Draws a text, on a halo.
-pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
-    if !finite(label.position, label.size) || !label.offset.iter().all(|v| v.is_finite()) {
-        return;
-    }
-    let Some(path) = path_of(&text::outline(&label.text, label.size, label.mathematical)) else { return };
-    let [x, y] = baseline(label);
-    let place = Transform::from_translate(x, y);
-    let opacity = opacity(label.fade_if_hidden && !depth.shows(label.position));
-    if !is_near(&path, [x, y], HALO * label.size) {
-        return;
-    }
-    let stroke = Stroke { width: HALO * label.size, line_join: LineJoin::Round, ..Stroke::default() };
-    pixmap.stroke_path(&path, &paint(label.halo, opacity), &stroke, place, None);
-    pixmap.fill_path(&path, &paint(label.color, opacity), FillRule::Winding, place, None);
-}
-
-/// The left end of the baseline of a label.
-pub fn baseline(label: &Label) -> [f32; 2] {
-    let width = text::measure(&label.text, label.size, label.mathematical).width;
-    let left = match label.anchor {
-        Anchor::Left => 0.0,
-        Anchor::Center => 0.5 * width,
-        Anchor::Right => width,
-    };
-    let [x, y] = [0, 1].map(|k| label.position[k] + label.offset[k]);
-    [x - left, y + 0.5 * text::x_height(label.size)]
 }
 
 /// A path; `None` if there is nothing to fill.
@@ -206,15 +177,15 @@ fn mark_path(shape: MarkShape, x: f32, y: f32, r: f32) -> Option<Path> {
     b.finish()
 }
 
-fn finite(position: [f32; 3], size: f32) -> bool {
+pub(super) fn finite(position: [f32; 3], size: f32) -> bool {
     position.iter().all(|v| v.is_finite()) && size.is_finite() && size > 0.0
 }
 
-fn opacity(hidden: bool) -> f32 {
+pub(super) fn opacity(hidden: bool) -> f32 {
     if hidden { FADED } else { 1.0 }
 }
 
-fn paint(c: Rgba, opacity: f32) -> Paint<'static> {
+pub(super) fn paint(c: Rgba, opacity: f32) -> Paint<'static> {
     let mut color = super::color(c);
     color.apply_opacity(opacity);
     let mut paint = Paint { anti_alias: true, ..Paint::default() };
@@ -222,13 +193,16 @@ fn paint(c: Rgba, opacity: f32) -> Paint<'static> {
     paint
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "text"))]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use proptest::prelude::*;
 
     use super::*;
+    use crate::drawing::{Anchor, Label};
+    use crate::raster::DepthBuffer;
+    use crate::raster::text;
 
     fn wild() -> impl Strategy<Value = f32> {
         prop_oneof![
@@ -246,7 +220,7 @@ mod tests {
         let depth = DepthBuffer::default();
         let (text, halo) = ("PF_c".to_owned(), Rgba::rgb(255, 255, 255));
         let (anchor, offset, fade_if_hidden) = (Anchor::Center, [3.0, -2.0], false);
-        label(
+        text::draw(
             &mut pixmap,
             &depth,
             &Label {

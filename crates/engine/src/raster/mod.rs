@@ -12,6 +12,8 @@ mod label;
 mod pixel;
 mod strokes;
 mod surfaces;
+#[cfg(feature = "text")]
+mod text;
 pub mod textbook;
 
 use std::time::Duration;
@@ -24,8 +26,10 @@ use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::progress::{Activity, Progress, at_once};
 pub use depth::DepthBuffer;
 use depth::Occluders;
-pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline, path_of};
+pub use label::{FADED, HALO, MarkLayer, area_outline, mark_layers, mark_outline, path_of};
 use surfaces::Wanted;
+#[cfg(feature = "text")]
+pub use text::baseline;
 
 /// Draws pictures. Keeps its buffers from one to the next.
 #[derive(Clone, Debug, Default)]
@@ -131,8 +135,9 @@ impl Rasterizer {
         for mark in &drawing.marks {
             label::mark(pixmap, faces, mark);
         }
+        #[cfg(feature = "text")]
         for text in &drawing.labels {
-            label::label(pixmap, &self.depth, text);
+            text::draw(pixmap, &self.depth, text);
         }
         let triangles = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
         let (kept, covered, written) = self.surfaces.work();

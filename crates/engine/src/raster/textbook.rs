@@ -29,7 +29,7 @@ use std::array::from_fn;
 
 use tiny_skia::Pixmap;
 
-use super::grid::{HALF, STEPS, in_pixels, samples, samples_in};
+use super::grid::{HALF, STEPS, in_pixels, samples};
 use super::new_pixmap;
 use super::pixel::premultiply;
 use crate::appearance::{DepthFormat, Filter, Level};
@@ -67,7 +67,7 @@ struct Sample {
 pub fn paint(drawing: &Drawing) -> Option<Painted> {
     let mut image = new_pixmap(drawing)?;
     paint_shadow_maps(drawing);
-    let places = samples(samples_in(drawing));
+    let places = samples(drawing.antialias);
     let count = places.len();
     let pixels = drawing.width as usize * drawing.height as usize;
     let color = premultiply(drawing.background).to_le_bytes();

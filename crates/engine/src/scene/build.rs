@@ -6,14 +6,13 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::import::PartTexture;
-use super::marks::{object_name, point_mark};
 use super::palette::{PALETTE, SceneColors};
 use super::texture::{Alpha, UvMesh, builtin, mapped, split};
 use super::tree::presets;
 use super::tree::resolve::{Placed, allowed_segments, lights, place};
 use super::{
     Adjacency, Line, Mesh, MeshFiles, MeshNotice, Object, ObjectPaint, ObjectSpec, Pictured, ReadFile, Scene,
-    SceneError, SceneSpec, Shape, TextureError, TextureSource, Wanted, primitives,
+    SceneError, SceneSpec, Shape, TextureError, TextureSource, Wanted, object_name, point_mark, primitives,
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Sampler, Style, Texture};
 use crate::limits::MAX_OBJECTS;

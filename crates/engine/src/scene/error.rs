@@ -7,6 +7,7 @@ use crate::sanitize::escaped;
 /// A reason why a specification isn't a scene. Displayed, it is the fault of [`key`](Self::key) of
 /// [`object`](Self::object), which come before it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SceneError {
     /// Two objects have one name.
     #[error("is \"{}\", like an earlier object; allowed: a unique name", escaped(name))]

@@ -3,7 +3,6 @@
 mod build;
 mod error;
 pub mod import;
-mod marks;
 pub mod mesh;
 mod named_point;
 pub mod palette;
@@ -289,6 +288,34 @@ pub struct Text {
     pub color: Rgba,
     /// Faint if a face hides its point, else always fully drawn.
     pub fade_if_hidden: bool,
+}
+
+/// Half the width of a point's mark, in pixels at scale 1.
+const MARK_RADIUS: f32 = 4.0;
+/// Height of a point's name, in pixels at scale 1.
+const NAME_SIZE: f32 = 14.0;
+
+/// The mark of a point.
+pub(super) fn point_mark(position: DVec3, shape: MarkShape, color: Rgba) -> PointMark {
+    PointMark { position, shape, radius: MARK_RADIUS, color, fade_if_hidden: true }
+}
+
+/// The name of an object that is a point, as you type it.
+pub(super) fn object_name(position: DVec3, name: &str, color: Rgba) -> Text {
+    Text { text: crate::text::literal(name), ..point_name(position, name, color) }
+}
+
+/// The name beside a point, with subscripts.
+pub(super) fn point_name(position: DVec3, text: &str, color: Rgba) -> Text {
+    Text {
+        name: text.to_owned(),
+        position,
+        text: text.to_owned(),
+        offset: [8.0, -8.0],
+        size: NAME_SIZE,
+        color,
+        fade_if_hidden: true,
+    }
 }
 
 #[cfg(test)]

@@ -33,6 +33,7 @@ pub struct ReadError {
 
 /// A reason why a file can't be read. Displayed, it follows the name of the file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ReadProblem {
     /// The system refuses.
     #[error("cannot be read: {}", system_words(*kind, *code))]

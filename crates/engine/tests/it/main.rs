@@ -14,6 +14,7 @@ mod meshes;
 mod meshes_gltf;
 mod meshes_obj;
 mod outline;
+mod page_fonts;
 mod pipeline;
 mod pipeline_bounds;
 mod pipeline_counts;

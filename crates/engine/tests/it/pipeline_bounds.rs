@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use camera_lab_engine::appearance::{Rgba, Shading, Style};
+use camera_lab_engine::appearance::{Rgba, Samples, Shading, Style};
 use camera_lab_engine::camera::{Camera, Parameters};
 use camera_lab_engine::pipeline::{Containment, Frame, Options, Pipeline, Reason, Scenes, Stage, Target};
 use camera_lab_engine::raster::Rasterizer;
@@ -48,7 +48,7 @@ fn frame(pipeline: &mut Pipeline, scene: &Scene, force: bool) -> Frame {
         scene,
         &above(),
         SMALL,
-        &Style { antialias: 1, ..crate::common::scenes::shading(Shading::Gouraud) },
+        &Style { antialias: Samples::One, ..crate::common::scenes::shading(Shading::Gouraud) },
         options,
     )
 }
@@ -162,7 +162,7 @@ proptest! {
                 far: 40.0,
                 ..Parameters::default()
             }).unwrap();
-            let style = Style { antialias: 1, ..crate::common::scenes::shading(Shading::Gouraud) };
+            let style = Style { antialias: Samples::One, ..crate::common::scenes::shading(Shading::Gouraud) };
             let draw = |pipeline: &mut Pipeline, scenes: Scenes, force_all_stages| {
                 let options = Options { force_all_stages, ..Options::default() };
                 pipeline.frame(scenes, &camera, SMALL, &style, options)

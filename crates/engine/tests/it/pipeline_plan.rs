@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style, Visibility};
+use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, Rgba, Samples, Shading, Style, Visibility};
 use camera_lab_engine::camera::{Camera, Projection};
 use camera_lab_engine::pipeline::plan::{Options, Output, Reason, Stage};
 use camera_lab_engine::pipeline::{Containment, FacesDone, Frame, Pipeline, Target};
@@ -43,7 +43,7 @@ fn reason(frame: &Frame, stage: Stage) -> (bool, Reason) {
 fn a_cube_alone_needs_little() {
     let half = DMat4::from_scale(DVec3::splat(0.5));
     let scene = Scene { lights: vec![Light::directional(DVec3::NEG_ONE)], ..only(object(cube(), at(-4.0) * half)) };
-    let style = Style { antialias: 1, ..Style::default() };
+    let style = Style { antialias: Samples::One, ..Style::default() };
     let frame = frame(&scene, &eye(Projection::Parallel), &style);
     assert_eq!(reason(&frame, Stage::Clip), (false, Reason::AllInside { objects: 1 }));
     assert_eq!(reason(&frame, Stage::HiddenSurfaces), (false, Reason::ConvexAlone));
@@ -203,7 +203,7 @@ proptest! {
             1 => Just(Visibility::Bsp),
         ],
         shading in prop_oneof![Just(Shading::Wireframe), Just(Shading::Flat), Just(Shading::Gouraud), Just(Shading::Phong)],
-        antialias in prop_oneof![6 => Just(1_u8), 2 => Just(4), 1 => Just(16)],
+        antialias in prop_oneof![6 => Just(Samples::One), 2 => Just(Samples::Four), 1 => Just(Samples::Sixteen)],
     ) {
         let target = Target { width: 48, height: 36, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
         let style = Style { shading, visibility, antialias, ..Style::default() };
@@ -231,7 +231,7 @@ fn the_number_of_threads_changes_nothing() {
         for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
             let object = Object { paint: paint.clone(), ..ball.clone() };
             let scene = Scene { lights: lights.clone(), ..only(object) };
-            let style = Style { shading, antialias: 1, ..Style::default() };
+            let style = Style { shading, antialias: Samples::One, ..Style::default() };
             let drawn = || frame(&scene, &eye(Projection::Perspective), &style);
             let (a, b) = (one.install(drawn), three.install(drawn));
             assert!(a.drawing.surfaces.iter().map(|s| s.triangles.len()).sum::<usize>() > 10_000);

@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "tests")]
 
-use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style, Visibility};
+use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, Rgba, Samples, Shading, Style, Visibility};
 use camera_lab_engine::camera::{Camera, Parameters, Projection};
 use camera_lab_engine::drawing::Drawing;
 use camera_lab_engine::pipeline::{Target, draw};
@@ -23,7 +23,7 @@ fn paint(drawing: &Drawing) -> Pixmap {
 }
 
 fn style(visibility: Visibility) -> Style {
-    Style { visibility, shading: Shading::Flat, antialias: 1, ..Style::default() }
+    Style { visibility, shading: Shading::Flat, antialias: Samples::One, ..Style::default() }
 }
 
 /// Pixels that differ, and how many of them do not touch a change of colour in the first picture.
@@ -76,7 +76,8 @@ fn a_knot_is_painted_right_by_splitting_and_wrong_by_centroids() {
     let mut scene = knot();
     scene.objects.iter_mut().for_each(|bar| bar.edges = Some(edge));
     let target = Target { width: 160, height: 120, ..SMALL };
-    let picture = |visibility| paint(&draw(&scene, &before(), target, &Style { antialias: 4, ..style(visibility) }));
+    let picture =
+        |visibility| paint(&draw(&scene, &before(), target, &Style { antialias: Samples::Four, ..style(visibility) }));
     let (depth, bsp, painter) =
         (picture(Visibility::DepthBuffer), picture(Visibility::Bsp), picture(Visibility::Painter));
     assert_picture("pipeline_knot_bsp", &bsp);

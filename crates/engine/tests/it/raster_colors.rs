@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use camera_lab_engine::appearance::{Rgba, Sampler, Texture};
+use camera_lab_engine::appearance::{Rgba, Sampler, Samples, Texture};
 use camera_lab_engine::drawing::{Base, Drawing, Lighting, PixelLight, Surface, SurfaceLight, ViewLight};
 use camera_lab_engine::lighting::shade;
 
@@ -21,7 +21,7 @@ fn translucent_surfaces_are_blended_from_back_to_front_whatever_their_order() {
     let (front, back) = (square(0.8, Rgba::rgba(255, 0, 0, 128)), square(0.6, Rgba::rgba(0, 0, 255, 128)));
     let hidden = square(0.2, Rgba::rgba(0, 255, 0, 128));
     let wall = square(0.5, BLACK);
-    let middle = |surfaces: Vec<Surface>| rgb(&paint(&drawing(4, 4, 4, surfaces)), 2, 1);
+    let middle = |surfaces: Vec<Surface>| rgb(&paint(&drawing(4, 4, Samples::Four, surfaces)), 2, 1);
     // On black: blue 128, then red 128 over it leaves 64 of the blue.
     for order in
         [vec![front.clone(), back.clone(), hidden.clone(), wall.clone()], vec![wall.clone(), hidden, back, front]]
@@ -39,7 +39,7 @@ fn colours_between_vertices_follow_perspective() {
     for (inverse_w, w) in [(inverse_w, [1.0, 0.1, 0.4]), (Vec::new(), [1.0; 3])] {
         let mut s = surface(triangle.to_vec(), vec![[0, 1, 2]], Base::Vertices(rgba.clone()));
         s.inverse_w = inverse_w;
-        let pixmap = paint(&drawing(side, side, 1, vec![s]));
+        let pixmap = paint(&drawing(side, side, Samples::One, vec![s]));
         let v = triangle.map(|p| [f64::from(p[0]), f64::from(p[1])]);
         let cross =
             |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -71,7 +71,7 @@ fn colours_stay_between_those_of_the_vertices_even_in_slivers_and_at_outer_sampl
         let colors = vec![Rgba::rgb(100, 150, 200), Rgba::rgb(110, 140, 205), Rgba::rgb(105, 160, 210)];
         let mut s = surface(positions, vec![[0, 1, 2]], Base::Vertices(colors));
         s.inverse_w = (0..3).map(|_| 0.1 + random.unit()).collect();
-        let mut d = drawing(30, 30, 4, vec![s]);
+        let mut d = drawing(30, 30, Samples::Four, vec![s]);
         d.background = Rgba::rgba(0, 0, 0, 0);
         for pixel in paint(&d).pixels().iter().filter(|p| p.alpha() > 0) {
             let c = pixel.demultiply();
@@ -102,7 +102,7 @@ fn a_texture_laid_pixel_on_texel_is_itself() {
         };
         let mut s = surface(corners.clone(), vec![[0, 1, 2], [0, 2, 3]], paint_);
         s.translucent = translucent;
-        let pixmap = paint(&drawing(20, 10, 1, vec![s]));
+        let pixmap = paint(&drawing(20, 10, Samples::One, vec![s]));
         for y in 0..8 {
             for x in 0..16 {
                 let k = 4 * (16 * y + x) as usize;
@@ -125,7 +125,7 @@ fn a_texture_on_a_slanted_square_converges() {
     );
     // Left edge at distance 1, right edge at 2 (half as high): the middle is at x = 60 · (1/2)/(1/2 + 1)… = 40.
     s.inverse_w = vec![1.0, 0.5, 0.5, 1.0];
-    let pixmap = paint(&drawing(60, 40, 1, vec![s]));
+    let pixmap = paint(&drawing(60, 40, Samples::One, vec![s]));
     for y in [12, 20, 28] {
         let first = (0..60).find(|&x| rgb(&pixmap, x, y)[0] >= 128).expect("the white half");
         assert_eq!(first, 40, "row {y}");
@@ -179,7 +179,7 @@ fn light_at_each_pixel_is_the_formula_at_that_pixel_on_every_base() {
         lit.light = SurfaceLight::PerPixel(light.clone());
         lit.inverse_w = vec![0.25, 0.2, 1.0 / 6.0];
         lit.translucent = alpha < 255;
-        let pixmap = paint(&Drawing { background: BLACK, ..drawing(32, 32, 1, vec![lit]) });
+        let pixmap = paint(&Drawing { background: BLACK, ..drawing(32, 32, Samples::One, vec![lit]) });
         for (x, y) in [(1, 1), (20, 3), (5, 20), (10, 10)] {
             let (s, t) = ((f64::from(x) + 0.5) / 32.0, (f64::from(y) + 0.5) / 32.0);
             let b = [(1.0 - s - t) * 0.25, s * 0.2, t / 6.0];

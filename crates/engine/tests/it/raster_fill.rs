@@ -5,7 +5,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use camera_lab_engine::appearance::{Rgba, Sampler, Texture};
+use camera_lab_engine::appearance::{Rgba, Sampler, Samples, Texture};
 use camera_lab_engine::drawing::{Base, Lighting, PixelLight, Surface, SurfaceLight};
 use camera_lab_engine::limits::MAX_SIDE;
 use camera_lab_engine::progress::at_once;
@@ -17,7 +17,7 @@ use crate::common::triangles::{BLACK, Random, WHITE, drawing, grid, owns, owns_p
 #[track_caller]
 fn check_coverage(width: u32, height: u32, triangle: [[f32; 3]; 3]) -> usize {
     let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Base::Solid(BLACK));
-    let pixmap = paint(&drawing(width, height, 1, vec![s]));
+    let pixmap = paint(&drawing(width, height, Samples::One, vec![s]));
     let mut covered = 0;
     for y in 0..height {
         for x in 0..width {
@@ -96,7 +96,7 @@ fn owned_samples(triangle: [[f32; 3]; 3], x: u32, y: u32, side: u32) -> u32 {
 #[test]
 fn a_triangle_covers_exactly_the_samples_it_owns() {
     let mut random = Random(9);
-    for (antialias, side) in [(1, 1), (4, 2), (16, 4)] {
+    for (antialias, side) in [(Samples::One, 1), (Samples::Four, 2), (Samples::Sixteen, 4)] {
         let mut partly = 0;
         for round in 0..60 {
             // Of a pixel's size, of some pixels, wide ones, and slivers across the picture.
@@ -169,7 +169,7 @@ fn every_pixel_of_a_closed_mesh_has_as_many_fronts_as_backs() {
                 let chosen = triangles.iter().copied().filter(|t| (area(t) > 0) == front).collect();
                 let mut s = surface(positions.clone(), chosen, Base::Solid(Rgba::rgba(0, 0, 0, 128)));
                 s.translucent = true;
-                paint(&drawing(side, side, 1, vec![s]))
+                paint(&drawing(side, side, Samples::One, vec![s]))
             };
             // One half of the ball may hide parts of itself, but each way in has a way out.
             assert!(coats(true) == coats(false), "{rings} rings turned by {turn}");
@@ -228,7 +228,8 @@ fn carpet(side: u32, cells: u32, random: &mut Random) -> (Vec<[f32; 3]>, Vec<[u3
 #[test]
 fn triangles_with_common_edges_cover_each_sample_exactly_once() {
     let mut random = Random(5);
-    for (cells, antialias) in [(3, 1), (9, 1), (48, 1), (90, 1), (9, 4), (60, 4), (5, 16), (30, 16)] {
+    let sizes = [(3, 1), (9, 1), (48, 1), (90, 1), (9, 4), (60, 4), (5, 16), (30, 16)];
+    for (cells, antialias) in sizes.map(|(cells, count)| (cells, Samples::from_count(count).unwrap())) {
         let (positions, triangles) = carpet(48, cells, &mut random);
         let mut s = surface(positions, triangles, Base::Solid(Rgba::rgba(0, 0, 0, 128)));
         s.translucent = true;
@@ -257,7 +258,7 @@ fn depth_is_that_of_exact_arithmetic_within_its_bound() {
         }
         let mut rasterizer = Rasterizer::default();
         let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Base::Solid(BLACK));
-        rasterizer.paint(&drawing(60, 40, 1, vec![s])).expect("a picture");
+        rasterizer.paint(&drawing(60, 40, Samples::One, vec![s])).expect("a picture");
         // In f64: exact but for some 1e-13 of the terms.
         let v = triangle.map(|p| [grid(p[0]) as f64 / 256.0, grid(p[1]) as f64 / 256.0, f64::from(p[2])]);
         let (p, q) = ([v[1][0] - v[0][0], v[1][1] - v[0][1]], [v[2][0] - v[0][0], v[2][1] - v[0][1]]);
@@ -303,7 +304,7 @@ fn the_number_of_threads_changes_no_byte() {
     let mut clear =
         surface(positions.iter().map(|p| [p[1], p[0], 1.0 - p[2]]).collect(), triangles, Base::Faces(faces));
     clear.translucent = true;
-    for antialias in [1, 4] {
+    for antialias in [Samples::One, Samples::Four] {
         let d = drawing(300, 300, antialias, vec![opaque.clone(), clear.clone()]);
         let on = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
@@ -331,7 +332,9 @@ fn measuring() -> Rasterizer {
 #[test]
 fn what_is_counted_is_what_happens() {
     let mut random = Random(71);
-    for (cells, antialias, samples) in [(4, 1, 1), (11, 1, 1), (70, 1, 1), (4, 4, 4), (40, 4, 4), (13, 16, 16)] {
+    for (cells, samples) in [(4, 1), (11, 1), (70, 1), (4, 4), (40, 4), (13, 16)] {
+        let antialias = Samples::from_count(samples).unwrap();
+        let samples = u64::from(samples);
         // Every sample once, and again behind that: covered twice and written once; and a triangle outside.
         let (mut positions, triangles) = carpet(67, cells, &mut random);
         let near: Vec<_> = positions.iter().map(|p| [p[0], p[1], 0.9]).collect();
@@ -356,6 +359,8 @@ fn what_is_counted_is_what_happens() {
 
 #[test]
 fn buffers_keep_nothing_of_the_picture_before() {
+    use Samples::{Four, One, Sixteen};
+
     let mut random = Random(8);
     let (positions, triangles) = carpet(40, 6, &mut random);
     // In front of all that follows.
@@ -365,7 +370,9 @@ fn buffers_keep_nothing_of_the_picture_before() {
     let small = surface(corners, vec![[0, 1, 2], [1, 2, 3]], Base::Solid(Rgba::rgb(9, 8, 7)));
     let mut rasterizer = measuring();
     let mut pixmap = Pixmap::new(1, 1).expect("a pixmap");
-    for (first, then) in [(1, 1), (1, 4), (4, 4), (4, 16), (16, 16), (16, 1), (4, 1)] {
+    for (first, then) in
+        [(One, One), (One, Four), (Four, Four), (Four, Sixteen), (Sixteen, Sixteen), (Sixteen, One), (Four, One)]
+    {
         for width in [40, 30, 40] {
             let full = drawing(40, 40, first, vec![full.clone()]);
             let over = Surface { depth_test: false, ..small.clone() };
@@ -386,7 +393,7 @@ fn buffers_keep_nothing_of_the_picture_before() {
 
 #[test]
 fn upright_and_level_edges_have_as_many_shades_as_samples() {
-    for (antialias, samples) in [(1, 1), (4, 4), (16, 16_u32)] {
+    for (antialias, samples) in Samples::ALL.map(|antialias| (antialias, u32::from(antialias.count()))) {
         for k in 0..=samples {
             let edge = 2.0 + k as f32 / samples as f32;
             let upright = vec![[0.0, 0.0, 0.5], [edge, 0.0, 0.5], [edge, 6.0, 0.5], [0.0, 6.0, 0.5]];
@@ -408,7 +415,7 @@ fn of_equal_depths_the_first_stays_and_a_nearer_one_wins() {
         surface(corners, vec![[0, 1, 2], [0, 2, 3]], Base::Solid(color))
     };
     let red = Rgba::rgb(255, 0, 0);
-    let middle = |surfaces: Vec<Surface>| rgb(&paint(&drawing(4, 4, 1, surfaces)), 2, 1);
+    let middle = |surfaces: Vec<Surface>| rgb(&paint(&drawing(4, 4, Samples::One, surfaces)), 2, 1);
     assert_eq!(middle(vec![square(0.5, red), square(0.5, BLACK)]), [255, 0, 0]);
     assert_eq!(middle(vec![square(0.5, BLACK), square(0.5, red)]), [0, 0, 0]);
     assert_eq!(middle(vec![square(0.5, red), square(0.25, BLACK)]), [255, 0, 0]);
@@ -425,12 +432,12 @@ fn of_equal_depths_the_first_stays_and_a_nearer_one_wins() {
 fn a_missing_size_is_none() {
     let mut rasterizer = Rasterizer::default();
     for (width, height) in [(0, 10), (10, 0), (0, 0), (MAX_SIDE + 1, 1), (1, u32::MAX), (MAX_SIDE, MAX_SIDE)] {
-        assert!(rasterizer.paint(&drawing(width, height, 1, Vec::new())).is_none(), "{width}×{height}");
+        assert!(rasterizer.paint(&drawing(width, height, Samples::One, Vec::new())).is_none(), "{width}×{height}");
         let mut pixmap = Pixmap::new(3, 3).expect("a pixmap");
-        assert!(!at_once(rasterizer.paint_into(&drawing(width, height, 1, Vec::new()), &mut pixmap)));
+        assert!(!at_once(rasterizer.paint_into(&drawing(width, height, Samples::One, Vec::new()), &mut pixmap)));
         assert_eq!(pixmap.width(), 3);
     }
-    assert_eq!(paint(&drawing(1, 1, 16, Vec::new())).pixel(0, 0).map(|p| p.red()), Some(255));
+    assert_eq!(paint(&drawing(1, 1, Samples::Sixteen, Vec::new())).pixel(0, 0).map(|p| p.red()), Some(255));
 }
 
 #[test]
@@ -479,11 +486,11 @@ fn nonsense_is_left_out_without_harm() {
                     s.light = light.clone();
                     s.translucent = translucent;
                     s.inverse_w = vec![1.0, value, 0.0, -1.0];
-                    for antialias in [1, 4, 255] {
+                    for antialias in Samples::ALL {
                         paint(&drawing(10, 10, antialias, vec![s.clone()]));
                     }
                     s.inverse_w = vec![1.0];
-                    paint(&drawing(10, 10, 1, vec![s]));
+                    paint(&drawing(10, 10, Samples::One, vec![s]));
                 }
             }
         }

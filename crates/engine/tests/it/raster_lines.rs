@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
+use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Samples};
 use camera_lab_engine::drawing::{Drawing, Mark, StrokeSet, Surface};
 use camera_lab_engine::raster::Rasterizer;
 use tiny_skia::Pixmap;
@@ -84,7 +84,7 @@ fn area(face: &[usize], points: &[[f32; 3]]) -> f64 {
 fn draw(
     solid: &Solid,
     points: &[[f32; 3]],
-    antialias: u8,
+    antialias: Samples,
     inside: bool,
 ) -> (Drawing, Vec<[usize; 2]>, Vec<[usize; 2]>) {
     let (mut triangles, mut front, mut all) = (Vec::new(), Vec::new(), Vec::new());
@@ -135,7 +135,7 @@ fn differing(a: &Pixmap, b: &Pixmap, step: u8) -> usize {
 #[test]
 fn edges_on_their_own_faces_are_seen_in_full_from_everywhere() {
     for (name, solid) in [("cube", cube()), ("sphere", sphere(8, 12)), ("fine sphere", sphere(40, 60))] {
-        for antialias in [1, 4] {
+        for antialias in [Samples::One, Samples::Four] {
             for k in 0..14 {
                 // Also views along the axes and along the faces, and from very near and very far.
                 let view = [(0.0, 0.0), (0.0, 0.01), (std::f64::consts::FRAC_PI_4, 0.0)].get(k).copied();
@@ -157,7 +157,7 @@ fn edges_on_their_own_faces_are_seen_in_full_from_everywhere() {
 #[test]
 fn edges_in_the_corners_of_a_room_are_seen_in_full() {
     let solid = cube();
-    for antialias in [1, 4] {
+    for antialias in [Samples::One, Samples::Four] {
         for k in 0..12 {
             // From inside, looking along the room: walls as steep as they can be.
             let room = |p: [f64; 3]| [p[0], p[1], 20.0 * p[2] - 18.0];
@@ -175,7 +175,7 @@ fn edges_in_the_corners_of_a_room_are_seen_in_full() {
 #[test]
 fn edges_behind_the_faces_show_at_the_outline_alone() {
     for (name, solid) in [("cube", cube()), ("sphere", sphere(8, 12))] {
-        for antialias in [1, 4] {
+        for antialias in [Samples::One, Samples::Four] {
             for k in 0..12 {
                 let view = (0.9 * f64::from(k) + 0.2, 0.61 * f64::from(k) - 3.0);
                 let points: Vec<_> = solid.vertices.iter().map(|&p| project(p, view, 4.0)).collect();
@@ -208,7 +208,7 @@ fn a_line_one_percent_behind_a_face_is_hidden_and_one_before_it_is_seen() {
     let wall = |x: f64, y: f64, scale: f64| [x as f32, y as f32, (depth(x) * scale) as f32];
     let positions =
         vec![wall(10.0, 10.0, 1.0), wall(140.0, 10.0, 1.0), wall(140.0, 140.0, 1.0), wall(10.0, 140.0, 1.0)];
-    for antialias in [1, 4, 16] {
+    for antialias in [Samples::One, Samples::Four, Samples::Sixteen] {
         let surface = Surface::solid(positions.clone(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(180, 200, 230));
         let drawing =
             Drawing { antialias, surfaces: vec![surface], ..Drawing::new(SIDE, SIDE, Rgba::rgb(255, 255, 255)) };
@@ -270,7 +270,11 @@ fn a_line_behind_a_tint_is_dimmed_and_so_is_a_mark() {
     let wall = |opacity: u8| {
         let color = Rgba::rgb(200, 60, 200).with_alpha(opacity);
         let surface = Surface::solid(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], color);
-        Drawing { antialias: 4, surfaces: vec![surface], ..Drawing::new(SIDE, SIDE, Rgba::rgb(255, 255, 255)) }
+        Drawing {
+            antialias: Samples::Four,
+            surfaces: vec![surface],
+            ..Drawing::new(SIDE, SIDE, Rgba::rgb(255, 255, 255))
+        }
     };
     // How much darker a pixel of the line is than without it: in the middle of the wall, and beside it.
     let ink = |drawing: &Drawing, depth: f32, hidden| {

@@ -1,6 +1,6 @@
 //! The rules of depth and order of a drawing, frozen in small pictures.
 
-use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, Rgba};
+use camera_lab_engine::appearance::{Dash, HiddenLines, LineStyle, Rgba, Samples};
 use camera_lab_engine::drawing::{Anchor, Area, Drawing, Label, StrokeSet, Surface};
 use camera_lab_engine::raster::Rasterizer;
 
@@ -12,7 +12,7 @@ const INK: Rgba = Rgba::rgb(0x22, 0x22, 0x22);
 const WHITE: Rgba = Rgba::rgb(255, 255, 255);
 
 fn drawing(width: u32, height: u32) -> Drawing {
-    Drawing { antialias: 4, ..Drawing::new(width, height, WHITE) }
+    Drawing { antialias: Samples::Four, ..Drawing::new(width, height, WHITE) }
 }
 
 fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, color: Rgba) -> Surface {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use camera_lab_engine::appearance::{
-    Dash, DepthFormat, Filter, HiddenLines, LineStyle, Rgba, Sampler, Texture, TextureReveal, Wrap,
+    Dash, DepthFormat, Filter, HiddenLines, LineStyle, Rgba, Sampler, Samples, Texture, TextureReveal, Wrap,
 };
 use camera_lab_engine::drawing::{
     Base, BlockedLight, Drawing, Lighting, PixelLight, Rays, Shadow, ShadowMap, StrokeSet, Surface, SurfaceLight,
@@ -74,7 +74,7 @@ enum Perspective {
 #[derive(Clone, Debug)]
 struct Scene {
     size: [u32; 2],
-    antialias: u8,
+    antialias: Samples,
     painted_in_order: bool,
     depth_format: DepthFormat,
     surfaces: Vec<Recipe>,
@@ -210,7 +210,7 @@ fn shadow(random: &mut Random, recipe: ShadowRecipe, counts: [usize; 2], taken: 
         places: (0..counts[0]).map(|_| place(random)).collect(),
         planes: (0..counts[1]).map(|_| random.vector(if recipe.lamp { 3.0 } else { 0.03 })).collect(),
         taken,
-        map: Arc::new(ShadowMap::new(views, size, rays, recipe.softness, random.next())),
+        map: Arc::new(ShadowMap::new(views, size, rays, recipe.softness)),
     }
 }
 
@@ -348,7 +348,7 @@ fn recipes() -> impl Strategy<Value = Recipe> {
 
 fn scenes() -> impl Strategy<Value = Scene> {
     let size = prop_oneof![3 => [1..80_u32, 1..60_u32], 1 => [100..200_u32, 100..150_u32]];
-    let antialias = prop::sample::select(vec![1_u8, 4, 16]);
+    let antialias = prop::sample::select(Samples::ALL.to_vec());
     let format = prop::sample::select(vec![DepthFormat::Float, DepthFormat::Fixed16, DepthFormat::Fixed24]);
     let surfaces = prop::collection::vec(recipes(), 1..5);
     (size, antialias, prop::bool::weighted(0.2), format, surfaces, any::<bool>()).prop_map(

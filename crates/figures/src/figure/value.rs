@@ -5,7 +5,7 @@ use toml_edit::{Array, InlineTable, Item, TableLike, Value};
 
 use super::Localized;
 use super::error::Allowed;
-use crate::appearance::Rgba;
+use crate::appearance::{Rgba, Samples};
 use crate::expression::{self, Dimension, ExpressionError};
 use crate::numbers;
 use crate::sanitize;
@@ -60,10 +60,15 @@ pub const fn integer_in<V: Copy + TryFrom<i64> + Into<i64>>([least, most]: [i64;
     values(Allowed::IntegerIn(least, most), integer, |i| Into::<i64>::into(*i).into())
 }
 
-/// Some integers.
-pub const fn integers(choice: &'static [i64]) -> Values<u8> {
-    values(Allowed::Integers(choice), integer, |i| i64::from(*i).into())
-}
+/// The number of samples of a pixel.
+pub static SAMPLES: Values<Samples> = values(
+    Allowed::Integers(&[1, 4, 16]),
+    |v, _| {
+        let count = v.as_integer().and_then(|count| Samples::from_count(u8::try_from(count).ok()?));
+        count.ok_or(Refused::Value)
+    },
+    |samples| i64::from(samples.count()).into(),
+);
 
 /// `true` or `false`.
 pub static SWITCH: Values<bool> =

@@ -50,7 +50,7 @@ fn elements(report: &StageReport, frame: &Frame, work: Work) -> Elements {
     let drawing = &frame.drawing;
     let pixels = |weight: &dyn Fn(&Surface) -> usize| {
         let triangles: usize = drawing.surfaces.iter().map(|surface| weight(surface) * surface.triangles.len()).sum();
-        let drawn = work.written / u64::from(drawing.antialias.max(1));
+        let drawn = work.written / u64::from(drawing.antialias.count());
         drawn * triangles as u64 / work.triangles.max(1) as u64
     };
     let (entering, leaving) = report.counts.unwrap_or_default();
@@ -96,7 +96,7 @@ fn complete(report: &mut StageReport, drawing: &Drawing, work: Work, on_window: 
         }
         Stage::Shadow => report.counts = triangles(&|s| !s.shadows.is_empty()),
         Stage::Blend => report.counts = triangles(&|s| s.translucent),
-        Stage::Antialias => report.counts = Some((pixels * usize::from(drawing.antialias), pixels)),
+        Stage::Antialias => report.counts = Some((pixels * usize::from(drawing.antialias.count()), pixels)),
         Stage::Write => report.counts = Some((pixels, pixels)),
         Stage::Lines => report.time = own(work.strokes),
         // The pipeline does the rest.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use tiny_skia::Pixmap;
 
-use crate::appearance::{DepthFormat, HiddenLines, Rgba, Shading, Style, Theme, Visibility};
+use crate::appearance::{DepthFormat, HiddenLines, Rgba, Samples, Shading, Style, Theme, Visibility};
 use crate::camera::{Camera, ImageSize};
 use crate::drawing::{Base, BlockedLight, Drawing, SurfaceLight};
 use crate::figure::{Depth, ShadowReveal};
@@ -61,7 +61,7 @@ pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: 
         shading: Shading::Flat,
         visibility: Visibility::DepthBuffer,
         hidden_lines: HiddenLines::Hidden,
-        antialias: 1,
+        antialias: Samples::One,
         theme: Theme::Light,
         depth_format: DepthFormat::Float,
     };

@@ -29,7 +29,6 @@ mod timed_pipeline;
 mod words;
 mod world;
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::appearance::Texture;
@@ -83,10 +82,6 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
     }
     if let Some(factor) = request.finish.stroke_factor {
         frame.drawing.strokes.iter_mut().for_each(|stroke| stroke.style.width *= factor);
-    }
-    if let Some(over_budget) = frame.over_budget.take() {
-        let of_scene: BTreeSet<&str> = request.scene.objects.iter().map(|object| object.name.as_str()).collect();
-        frame.over_budget = over_budget.about(|name| of_scene.contains(name));
     }
     frame
 }

@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "tests")]
 
-use camera_lab_engine::appearance::{Rgba, Shading, Style};
+use camera_lab_engine::appearance::{Rgba, Samples, Shading, Style};
 use camera_lab_engine::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab_engine::pipeline::canonical::{clipped_scene, displayed_ndc, legible_clipped_scene};
 use camera_lab_engine::pipeline::{Options, Pipeline, Target};
@@ -212,7 +212,7 @@ fn textured_faces_keep_the_light_of_the_world() {
     };
     let front = Camera::new(&front).unwrap();
     for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
-        let style = Style { shading, antialias: 1, ..Style::default() };
+        let style = Style { shading, antialias: Samples::One, ..Style::default() };
         let scene = build(&figure.scene, &style, &mut no_files).unwrap();
         let target = Target { width: 120, height: 90, scale: 1.0, background: Rgba::rgb(0, 0, 255) };
         let pixels = |scene: &Scene, camera: &Camera| {

@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use camera_lab_engine::appearance::{Filter, Rgba, Sampler, Style, Texture, TextureReveal, Wrap};
+use camera_lab_engine::appearance::{Filter, Rgba, Sampler, Samples, Style, Texture, TextureReveal, Wrap};
 use camera_lab_engine::drawing::{Base, Surface, SurfaceLight};
 use camera_lab_engine::scene::{self, MeshNotice, ObjectPaint, ReadError, ReadProblem, Scene, TextureFault, Wanted};
 use camera_lab_figures::figure::read::parse;
@@ -52,7 +52,7 @@ fn every_pixel_has_its_texel_under_any_perspective() {
         let uv: [[f32; 2]; 3] = std::array::from_fn(|_| [share() as f32, share() as f32]);
         let mut s = textured(triangle.to_vec(), vec![[0, 1, 2]], &image, nearest, uv.to_vec());
         s.inverse_w = inverse_w.to_vec();
-        let pixmap = paint(&drawing(96, 96, 1, vec![s]));
+        let pixmap = paint(&drawing(96, 96, Samples::One, vec![s]));
         let v = triangle.map(|p| [f64::from(p[0]), f64::from(p[1])]);
         let cross =
             |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -81,7 +81,7 @@ fn border(wrap: Wrap, filter: Filter) -> [u8; 3] {
     let uv = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let sampler = Sampler { wrap_u: wrap, wrap_v: wrap, filter, reveal: None };
     let s = textured(corners, vec![[0, 1, 2], [0, 2, 3]], &image, sampler, uv);
-    rgb(&paint(&drawing(64, 64, 1, vec![s])), 63, 32)
+    rgb(&paint(&drawing(64, 64, Samples::One, vec![s])), 63, 32)
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn a_picture_goes_on_as_it_is_told() {
         let uv = vec![[shift - 1.0, 0.0], [shift + 3.0, 0.0], [shift + 3.0, 1.0], [shift - 1.0, 1.0]];
         let column = |wrap, x| {
             let s = textured(corners.clone(), vec![[0, 1, 2], [0, 2, 3]], &image, nearest(wrap), uv.clone());
-            i32::from(rgb(&paint(&drawing(64, 64, 1, vec![s])), x, 32)[0])
+            i32::from(rgb(&paint(&drawing(64, 64, Samples::One, vec![s])), x, 32)[0])
         };
         for x in 0..64 {
             let within = (x as i32 % 16) * 16 + 8;
@@ -137,7 +137,7 @@ fn levels_of_detail_keep_a_far_floor_from_flickering() {
     let spread = |filter| {
         let sampler = Sampler { filter, ..Sampler::default() };
         let s = textured(corners.clone(), vec![[0, 1, 2], [0, 2, 3]], &image, sampler, uv.clone());
-        let pixmap = paint(&drawing(64, 64, 1, vec![s]));
+        let pixmap = paint(&drawing(64, 64, Samples::One, vec![s]));
         let values: Vec<u8> = (0..64 * 64).map(|i| rgb(&pixmap, i % 64, i / 64)[0]).collect();
         (*values.iter().min().unwrap(), *values.iter().max().unwrap())
     };
@@ -161,7 +161,7 @@ fn the_level_of_detail_is_the_change_of_u_and_v_from_pixel_to_pixel() {
         let uv = vec![[0.0, 0.0], [most, 0.0], [most, most], [0.0, most]];
         let sampler = Sampler { reveal: Some(TextureReveal::Levels), ..Sampler::default() };
         let s = textured(corners.clone(), vec![[0, 1, 2], [0, 2, 3]], &opaque, sampler, uv);
-        let found = rgb(&paint(&drawing(64, 64, 1, vec![s])), 30, 30);
+        let found = rgb(&paint(&drawing(64, 64, Samples::One, vec![s])), 30, 30);
         let Rgba { r, g, b, .. } = camera_lab_engine::appearance::LEVEL_COLORS[level as usize];
         for (found, whole) in found.into_iter().zip([r, g, b]) {
             assert!((i32::from(found) - i32::from(whole) / 2).abs() <= 3, "level {level}: {found} {whole}");
@@ -179,7 +179,7 @@ fn without_w_the_floor_bends_along_its_diagonal() {
         let sampler = Sampler { filter: Filter::Nearest, reveal, ..Sampler::PICTURE };
         let mut s = textured(corners.clone(), vec![[0, 1, 2], [0, 2, 3]], &image, sampler, uv.clone());
         s.inverse_w = vec![1.0, 1.0, 0.25, 0.25];
-        i32::from(rgb(&paint(&drawing(96, 64, 1, vec![s])), x, 30)[0])
+        i32::from(rgb(&paint(&drawing(96, 64, Samples::One, vec![s])), x, 30)[0])
     };
     // The middle of the row is the middle of the floor; without w it is not.
     assert!((column(None, 48) - 128).abs() <= 3, "{}", column(None, 48));
@@ -206,7 +206,8 @@ fn a_white_picture_takes_light_as_white_does() {
         );
         let mut plain = surface(corners.clone(), vec![[0, 1, 2]], Base::Solid(WHITE));
         (pictured.light, plain.light) = (light.clone(), light);
-        let (a, b) = (paint(&drawing(64, 64, 1, vec![pictured])), paint(&drawing(64, 64, 1, vec![plain])));
+        let (a, b) =
+            (paint(&drawing(64, 64, Samples::One, vec![pictured])), paint(&drawing(64, 64, Samples::One, vec![plain])));
         assert!(a.data() == b.data());
         let [r, ..] = rgb(&a, 25, 20);
         assert!(r > 60 && r < 255, "{r}");

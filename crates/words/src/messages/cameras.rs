@@ -56,6 +56,7 @@ pub(crate) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
             pick!(lang; english(&format!("{} would exceed the range of numbers (about 1e-308 to 1e308)", quantity.in_symbols)),
                 Wording::new(format!("{} excederia os limites dos números (cerca de 1e-308 a 1e308); depende de {}", quantity.full, ParameterKey::list(keys)), format!("{} sairia da faixa dos números (cerca de 1e-308 a 1e308)", quantity.in_symbols)))
         }
+        (_, other) => Wording::new(other.to_string(), other.to_string()),
     }
 }
 

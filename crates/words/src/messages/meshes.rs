@@ -54,6 +54,7 @@ fn texture_in_portuguese(TextureError { file, fault }: &TextureError) -> String 
         TextureFault::Budget => {
             format!("ficou de fora, pois com ela as texturas desta figura teriam mais de {MAX_TEXELS} pixels")
         }
+        other => other.to_string(),
     };
     format!("{file} {why}")
 }
@@ -68,6 +69,7 @@ fn obj_in_portuguese(fault: &ObjFault) -> String {
         ObjFault::Index { found, points } => {
             format!("\"{found}\" indica um ponto que não existe. Há {points} pontos")
         }
+        other => other.to_string(),
     }
 }
 
@@ -77,15 +79,17 @@ fn json_in_portuguese(fault: &JsonFault) -> String {
         JsonFault::End => "o JSON termina antes do fim".to_owned(),
         JsonFault::MissingKey { key } => format!("falta a chave \"{key}\" no que termina aqui"),
         JsonFault::Value => "um valor que o glTF não permite".to_owned(),
+        other => other.to_string(),
     }
 }
 
-const fn glb_in_portuguese(fault: GlbFault) -> &'static str {
+fn glb_in_portuguese(fault: GlbFault) -> String {
     match fault {
-        GlbFault::Header => "seu cabeçalho está cortado ou dá um comprimento errado",
-        GlbFault::Version => "sua versão não é 2",
-        GlbFault::End => "termina antes do fim",
-        GlbFault::Parts => "suas partes não são as de um arquivo GLB",
+        GlbFault::Header => "seu cabeçalho está cortado ou dá um comprimento errado".to_owned(),
+        GlbFault::Version => "sua versão não é 2".to_owned(),
+        GlbFault::End => "termina antes do fim".to_owned(),
+        GlbFault::Parts => "suas partes não são as de um arquivo GLB".to_owned(),
+        other => other.to_string(),
     }
 }
 
@@ -110,5 +114,6 @@ fn gltf_in_portuguese(fault: &GltfFault) -> String {
         GltfFault::OverBudget => "seus acessores contêm mais do que qualquer malha".to_owned(),
         GltfFault::NotFinite => "um número não é finito".to_owned(),
         GltfFault::Tree => "um nó tem dois pais".to_owned(),
+        other => other.to_string(),
     }
 }

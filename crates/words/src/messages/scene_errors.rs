@@ -20,10 +20,8 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
         | SceneError::NotFinite { name, .. }
         | SceneError::ZeroScale { name }
         | SceneError::Segments { name, .. } => format!("[[scene.objects]] \"{}\": {key} {why}", escaped(name)),
-        SceneError::TooManyLights { .. } | SceneError::ShadowMaps { .. } | SceneError::TooManyObjects => {
-            format!("[scene] {key} {why}")
-        }
         SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
+        _ => format!("[scene] {key} {why}"),
     }
 }
 
@@ -86,6 +84,7 @@ pub(crate) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             "deve ter três números finitos, nem todos 0 numa direção",
             if *key == "direction" { "a direção não pode ser nula" } else { "a posição tem de ser finita" },
         ),
+        (_, other) => english(&other.to_string()),
     }
 }
 

@@ -36,6 +36,7 @@ pub fn error(lang: Lang, error: &PhotographError) -> String {
         PhotographError::Impossible(error) => camera_error(lang, error),
         PhotographError::LeftHanded => text!(lang, error_left_handed).to_owned(),
         PhotographError::Length => text!(lang, error_length).to_owned(),
+        other => other.to_string(),
     }
 }
 

@@ -3,7 +3,7 @@
 use eframe::egui;
 
 use super::row;
-use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
+use crate::appearance::{HiddenLines, Samples, Shading, Theme, Visibility};
 use crate::figure::Explanation;
 use crate::gui::inspector::{choice_row, more, section};
 use crate::gui::kit::Explained;
@@ -38,7 +38,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
         ];
         choice_row(ui, t.hidden_lines, t.hidden_lines_hint, &mut style.hidden_lines, &lines);
         more(ui, t, &format!("{}, {}", t.antialias, t.file_theme), |ui| {
-            let samples = [(1, "1"), (4, "4"), (16, "16")];
+            let samples = [(Samples::One, "1"), (Samples::Four, "4"), (Samples::Sixteen, "16")];
             choice_row(ui, t.antialias, t.antialias_hint, &mut style.antialias, &samples);
             let themes = [(Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark), (Theme::Print, t.theme_print)];
             choice_row(ui, t.file_theme, t.file_theme_hint, &mut style.theme, &themes);

@@ -138,6 +138,7 @@ impl Operation {
 
 /// The reason why a text isn't an operation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum OperationError {
     /// No `=`.
     #[error("\"{}\" is not an operation; allowed: NAME=VALUE, where NAME is one of {}", escaped(text), Operation::names().join(", "))]

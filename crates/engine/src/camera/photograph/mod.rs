@@ -65,6 +65,7 @@ impl Untold {
 
 /// The reason why there is no camera.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PhotographError {
     /// Fewer than two axes have two lines each.
     #[error("fewer than two axes have two lines each")]

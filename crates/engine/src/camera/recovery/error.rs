@@ -31,6 +31,7 @@ impl Lines {
 
 /// The reason why a matrix isn't that of a camera.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum RecoveryError {
     /// An entry isn't a finite number.
     #[error("entry {row},{column} is {value}, which isn't a finite number")]

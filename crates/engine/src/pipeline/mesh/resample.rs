@@ -185,7 +185,7 @@ pub(crate) fn base_of(paint: ObjectPaint) -> Base {
 }
 
 /// The normals of a mesh whose vertices come from those of another. None if the other has none.
-pub(crate) fn normals(old: &Mesh, origins: &[VertexOrigin]) -> Vec<DVec3> {
+fn normals(old: &Mesh, origins: &[VertexOrigin]) -> Vec<DVec3> {
     if old.normals.is_empty() {
         return Vec::new();
     }
@@ -197,13 +197,15 @@ pub(crate) fn normals(old: &Mesh, origins: &[VertexOrigin]) -> Vec<DVec3> {
     origins.iter().map(unit).collect()
 }
 
-/// A mesh made of parts of another: each vertex with its origin, shared as it was.
+/// A mesh made of parts of another after a cut: each vertex with its origin, shared as it was.
 #[derive(Debug, Default)]
-pub(crate) struct Remake {
+pub(crate) struct Rebuilt {
     /// The new index of each vertex of the old mesh that is still used.
     index: Vec<Option<u32>>,
     /// The origin of each new vertex.
     pub(crate) origins: Vec<VertexOrigin>,
+    /// The position of each new vertex.
+    pub(crate) positions: Vec<DVec3>,
     pub(crate) triangles: Vec<[u32; 3]>,
     /// The old triangle of each new one.
     pub(crate) sources: Vec<u32>,
@@ -212,7 +214,7 @@ pub(crate) struct Remake {
     pub(crate) shared: Vec<SharedEdge>,
 }
 
-impl Remake {
+impl Rebuilt {
     pub(crate) fn new(old: &Mesh) -> Self {
         Self { index: vec![None; old.positions.len()], ..Self::default() }
     }
@@ -221,8 +223,9 @@ impl Remake {
         self.triangles.is_empty() && self.edges.is_empty()
     }
 
-    /// The index of a vertex, which is new unless it is one of the old mesh and was there before.
-    pub(crate) fn vertex(&mut self, origin: VertexOrigin) -> u32 {
+    /// The index of a vertex, which is new unless it is one of the old mesh and was there before. A new one gets its
+    /// position from `position`.
+    pub(crate) fn vertex(&mut self, origin: VertexOrigin, position: impl FnOnce() -> DVec3) -> u32 {
         let own = match origin {
             VertexOrigin::Vertex(i) => Some(i as usize),
             VertexOrigin::Between { .. } => None,
@@ -232,6 +235,7 @@ impl Remake {
         }
         let index = u32::try_from(self.origins.len()).unwrap_or(u32::MAX);
         self.origins.push(origin);
+        self.positions.push(position());
         if let Some(own) = own {
             self.index[own] = Some(index);
         }
@@ -244,6 +248,26 @@ impl Remake {
             self.triangles.push([corners[0], corners[k], corners[k + 1]]);
             self.sources.push(source);
         }
+    }
+
+    /// The object with these parts instead of its mesh. Its inside shows, since it's open now. `None` if nothing is
+    /// left.
+    pub(crate) fn into_object(self, object: &Object) -> Option<Object> {
+        if self.is_empty() {
+            return None;
+        }
+        let old = &object.mesh;
+        let paint = object_paint(object, self.origins.iter().copied(), &self.sources);
+        let mesh = Mesh {
+            normals: normals(old, &self.origins),
+            adjacency: Adjacency { planes: old.adjacency.planes.clone(), edges: self.shared },
+            positions: self.positions,
+            triangles: self.triangles,
+            edges: self.edges,
+            ..Mesh::default()
+        };
+        let two_sided = object.two_sided || old.closed;
+        Some(Object { mesh: Arc::new(mesh), paint, two_sided, ..object.clone() })
     }
 }
 

@@ -3,6 +3,5 @@
 pub(crate) mod bsp;
 pub(crate) mod painter;
 pub(crate) mod pieces;
-mod split_plane;
 pub mod stroke_order;
 pub mod stroke_runs;

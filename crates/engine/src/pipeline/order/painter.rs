@@ -7,7 +7,7 @@
 use super::pieces::{Corner, Layer, Piece, pieces};
 use crate::drawing::Surface;
 use crate::pipeline::mesh::resample::{VertexOrigin, append, can_append, empty_like};
-use crate::pipeline::space::point::ViewPoint;
+use crate::pipeline::space::ViewPoint;
 
 /// Sorts by the distance of the centroid, the farthest first. Wrong if faces interlock or differ much in size, and here
 /// to show this failure.

@@ -410,7 +410,7 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
-    use crate::appearance::{Dash, Rgba};
+    use crate::appearance::{Dash, Rgba, Samples};
 
     const WALL: [[f32; 3]; 4] = [[20.0, 10.0, 0.5], [60.0, 10.0, 0.5], [60.0, 50.0, 0.5], [20.0, 50.0, 0.5]];
 
@@ -421,7 +421,7 @@ mod tests {
             width: 100,
             height: 70,
             background: Rgba::rgb(255, 255, 255),
-            antialias: 1,
+            antialias: Samples::One,
             painted_in_order: false,
             depth_format: Default::default(),
             surfaces: vec![Surface::solid(WALL.to_vec(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(200, 200, 200))],

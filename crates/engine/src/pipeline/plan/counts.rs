@@ -2,10 +2,10 @@
 
 use super::object::{Containment, FacesDone, LitAt, ObjectPlan, ObjectReport};
 use super::reason::{Output, Reason, StagePlan};
-use crate::appearance::{HiddenLines, LineStyle, Shading, Style, Visibility};
+use crate::appearance::{HiddenLines, LineStyle, Samples, Shading, Style, Visibility};
 use crate::pipeline::scenes::Scenes;
-use crate::pipeline::space::planes::{NEAR, PlaneSet};
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::{NEAR, PlaneSet};
 use crate::scene::{Object, ObjectPaint};
 use crate::stage::Stage;
 
@@ -167,7 +167,7 @@ impl SceneCounts {
             Stage::Clip => (true, Reason::Crossing { objects: self.crossing, of: self.in_view, planes: self.planes }),
             Stage::Oblique if projector.shift == [0.0, 0.0] => (false, Reason::SymmetricWindow),
             Stage::Oblique => (true, Reason::ObliqueWindow),
-            Stage::Divide if projector.perspective => (true, Reason::PerspectiveProjection),
+            Stage::Divide if projector.projection.is_perspective() => (true, Reason::PerspectiveProjection),
             Stage::Divide => (false, Reason::ParallelProjection),
             Stage::Lines if self.lines => (true, Reason::LinesInView),
             Stage::Lines if self.in_view == 0 => (false, Reason::NothingInView),
@@ -200,8 +200,8 @@ impl SceneCounts {
                 objects => (true, Reason::Translucent { objects }),
             },
             Stage::Antialias => match style.antialias {
-                0 | 1 => (false, Reason::OneSample),
-                samples => (true, Reason::Samples { samples }),
+                Samples::One => (false, Reason::OneSample),
+                samples => (true, Reason::Samples { samples: samples.count() }),
             },
             Stage::Fill => (true, Reason::FacesInView { objects: self.faces }),
             // `stage` and `face_stage` don't ask about these.

@@ -12,7 +12,7 @@ use std::time::Duration;
 
 use crate::appearance::{Shading, Style, Visibility};
 use crate::pipeline::scenes::Scenes;
-use crate::pipeline::space::planes::ALL_PLANES;
+use crate::pipeline::space::ALL_PLANES;
 use crate::pipeline::space::projector::Projector;
 use crate::scene::{Object, ObjectPaint};
 pub use crate::stage::Stage;

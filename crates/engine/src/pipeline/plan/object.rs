@@ -1,7 +1,7 @@
 //! The plan for an object, and its result.
 
+use crate::pipeline::space::PlaneSet;
 use crate::pipeline::space::depths::InView;
-use crate::pipeline::space::planes::PlaneSet;
 use crate::scene::{FoundLight, Object, ObjectPaint};
 
 /// The place of an object, as far as the box and the ball around it tell.

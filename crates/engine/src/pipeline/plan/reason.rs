@@ -1,6 +1,6 @@
 //! The reason why a stage runs or is left out.
 
-use crate::pipeline::space::planes::PlaneSet;
+use crate::pipeline::space::PlaneSet;
 use crate::stage::Stage;
 
 /// The output of a drawing.

@@ -21,6 +21,8 @@ pub(crate) struct Recorder<'a> {
     followed: Option<FollowedTriangle>,
     notes: Option<Notes<'a>>,
     misplaced: Misplaced<'a>,
+    /// Number of objects of the scene. Those that come after them are gear, whose rounding isn't reported.
+    own_objects: usize,
     context: PassContext<'a>,
 }
 
@@ -34,7 +36,8 @@ impl<'a> Recorder<'a> {
         }
         meter.lap(Stage::Traverse);
         let objects = plan.objects.iter().map(|planned| ObjectReport::from(planned.containment)).collect();
-        Self { meter, objects, followed: None, notes, misplaced, context }
+        let own_objects = scenes.own_object_count();
+        Self { meter, objects, followed: None, notes, misplaced, own_objects, context }
     }
 
     pub(crate) fn transformed(&mut self, pass: &ObjectPass) {
@@ -75,7 +78,9 @@ impl<'a> Recorder<'a> {
             self.meter.vertices += ends;
         }
         self.meter.lap(Stage::Lines);
-        self.misplaced.look_at(pass.object, &pass.vertices());
+        if pass.index < self.own_objects {
+            self.misplaced.look_at(pass.object, &pass.vertices());
+        }
         self.meter.lap(Stage::Transform);
     }
 

@@ -10,10 +10,8 @@ use rayon::prelude::*;
 use crate::camera::Camera;
 use crate::pipeline::budget::MisplacedVertex;
 use crate::pipeline::space::depths::InView;
-use crate::pipeline::space::planes::outcode;
-use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::screen::Screen;
+use crate::pipeline::space::{ObjectPoint, Screen, outcode};
 use crate::pipeline::stage::vertex::{clip_from_view, divide, snap, view_point, viewport};
 use crate::pipeline::stage::vertices::Vertices;
 use crate::scene::Object;
@@ -71,7 +69,7 @@ impl<'a> Misplaced<'a> {
     /// single precision and the grid come on top.
     fn bound(&self, projector: &Projector, summands: f64, w: f64) -> f64 {
         const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
-        let w = if projector.perspective { w } else { 1.0 };
+        let w = if projector.projection.is_perspective() { w } else { 1.0 };
         let error = ROUNDINGS * summands + self.camera.position_rest().length();
         let aside = |axis: usize| 1.0 + projector.shift[axis].abs();
         let by = |axis: usize| (projector.scale[axis] + aside(axis)) * (error / w) + ROUNDINGS * aside(axis).powi(2);
@@ -154,7 +152,7 @@ mod tests {
             let screen = Screen::new(target);
             // A point of the volume, and then the vertex that is nearest to it.
             let depth = camera.near() + at[2] * (camera.far() - camera.near());
-            let (window, to) = (camera.window(), if projector.perspective { depth / camera.near() } else { 1.0 });
+            let (window, to) = (camera.window(), if projector.projection.is_perspective() { depth / camera.near() } else { 1.0 });
             let across = |t: f64, least: f64, most: f64| to * (least + (most - least) * (0.5 + 0.5 * t));
             let p_view = DVec3::new(across(at[0], window.left, window.right), across(at[1], window.bottom, window.top), -depth);
             let p = world_from_object.inverse().transform_point3(camera.world_from_view().transform_point3(p_view));

@@ -8,12 +8,11 @@ use super::projected::{Projected, displayed};
 use crate::appearance::{LightShare, LineStyle, Rgba, Shading};
 use crate::camera::Camera;
 use crate::drawing::single;
-use crate::pipeline::mesh::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
+use crate::pipeline::mesh::resample::{Rebuilt, VertexOrigin, color_at, face_color, object_paint};
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::depths::{DepthScale, InView, Sheet};
-use crate::pipeline::space::planes::{NEAR, outcode};
-use crate::pipeline::space::point::{ClipPoint, WorldPoint};
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::{ClipPoint, NEAR, WorldPoint, outcode};
 use crate::pipeline::stage::clip::Clipper;
 use crate::pipeline::stage::light::WHITE;
 use crate::pipeline::stage::lines;
@@ -123,9 +122,10 @@ pub fn clipped_segment_of(camera: &Camera) -> impl Fn([DVec3; 2]) -> Option<[DVe
 fn display_from_view(projector: &Projector) -> DMat4 {
     let [sx, sy] = projector.scale;
     // w as a function of (x, y, z, 1).
-    let w = if projector.perspective { DVec4::NEG_Z } else { DVec4::W };
+    let w = if projector.projection.is_perspective() { DVec4::NEG_Z } else { DVec4::W };
     // 2 · depth of the picture · w: of F (B − d)/(B − F) in perspective, (B − d)/(B − F) else, with d = −z.
-    let slope = 2.0 * if projector.perspective { projector.near } else { 1.0 } / (projector.far - projector.near);
+    let slope = 2.0 * if projector.projection.is_perspective() { projector.near } else { 1.0 }
+        / (projector.far - projector.near);
     let whole = Sheet { farthest: projector.far, slope, behind: -1.0 };
     let Sheet { farthest, slope, behind } = projector.sheet.unwrap_or(whole);
     let rows = [
@@ -180,7 +180,7 @@ fn clipped_object(
     let view_from_object = projector.view_from_object(object.world_from_object);
     let vertices = Vertices { projector, view_from_object: &view_from_object, positions: &object.mesh.positions };
     let projected = Projected::new(vertices, &object.mesh);
-    if projected.remake.is_empty() {
+    if projected.rebuilt.is_empty() {
         return None;
     }
     let planes = match object.mesh.adjacency.planes.as_slice() {
@@ -192,9 +192,9 @@ fn clipped_object(
         }
     };
     let cut_open = projected.outside() & NEAR != 0;
-    let colored = Colored { object, vertices, remake: &projected.remake, cut_open, shading };
+    let colored = Colored { object, vertices, rebuilt: &projected.rebuilt, cut_open, shading };
     let (paint, in_world) = colored.paint(lights.filter(|_| object.lit));
-    let Projected { positions, remake: Remake { triangles, edges, shared, .. }, in_view, whole, borders, .. } =
+    let Projected { rebuilt: Rebuilt { positions, triangles, edges, shared, .. }, in_view, whole, borders, .. } =
         projected;
     // An object with edges or an outline has them along its cuts too. A wireframe shows only edges.
     let border = object.edges.or(object.outline).filter(|_| shading != Shading::Wireframe && object.faces);
@@ -225,7 +225,7 @@ fn clipped_object(
 struct Colored<'a> {
     object: &'a Object,
     vertices: Vertices<'a>,
-    remake: &'a Remake,
+    rebuilt: &'a Rebuilt,
     cut_open: bool,
     shading: Shading,
 }
@@ -233,29 +233,29 @@ struct Colored<'a> {
 impl Colored<'_> {
     /// The colours without light.
     fn own_paint(&self) -> ObjectPaint {
-        object_paint(self.object, self.remake.origins.iter().copied(), &self.remake.sources)
+        object_paint(self.object, self.rebuilt.origins.iter().copied(), &self.rebuilt.sources)
     }
 
     /// One colour for each face, without light.
     fn face_colors(&self) -> Arc<Vec<Rgba>> {
         let color = |&face: &u32| face_color(&self.object.paint, face, self.object.mesh.triangles[face as usize]);
-        Arc::new(self.remake.sources.iter().map(color).collect())
+        Arc::new(self.rebuilt.sources.iter().map(color).collect())
     }
 
     /// One colour for each face, lit by `light`.
     fn lit_faces(&self, light: &ObjectLight) -> Arc<Vec<Rgba>> {
         let face = |k: usize| {
-            let source = self.remake.sources[k];
+            let source = self.rebuilt.sources[k];
             let triangle = self.object.mesh.triangles[source as usize];
             (triangle, face_color(&self.object.paint, source, triangle))
         };
-        Arc::new(light.faces(self.remake.sources.len(), face))
+        Arc::new(light.faces(self.rebuilt.sources.len(), face))
     }
 
     /// One colour for each vertex, lit by `light`.
     fn lit_vertices(&self, light: &ObjectLight, color: impl Fn(u32) -> Rgba + Sync + Send) -> Arc<Vec<Rgba>> {
         let lit: Vec<Rgba> = light.vertices(&[], color);
-        Arc::new(self.remake.origins.iter().map(|origin| origin.of(|i| color_at(&lit, i))).collect())
+        Arc::new(self.rebuilt.origins.iter().map(|origin| origin.of(|i| color_at(&lit, i))).collect())
     }
 
     /// The shares of a light.
@@ -263,10 +263,10 @@ impl Colored<'_> {
         if self.is_smooth() {
             let shares: Vec<LightShare> = light.vertices(&[], |_| WHITE);
             let at = |i: u32| shares.get(i as usize).copied().unwrap_or_default();
-            return FoundLight::Vertices(self.remake.origins.iter().map(|origin| origin.of(at)).collect());
+            return FoundLight::Vertices(self.rebuilt.origins.iter().map(|origin| origin.of(at)).collect());
         }
-        let face = |k: usize| (self.object.mesh.triangles[self.remake.sources[k] as usize], WHITE);
-        FoundLight::Faces(light.faces(self.remake.sources.len(), face))
+        let face = |k: usize| (self.object.mesh.triangles[self.rebuilt.sources[k] as usize], WHITE);
+        FoundLight::Faces(light.faces(self.rebuilt.sources.len(), face))
     }
 
     fn is_smooth(&self) -> bool {
@@ -305,7 +305,7 @@ impl Colored<'_> {
         both_sides: bool,
     ) -> (ObjectPaint, Option<InWorld>) {
         let Self { object, vertices, .. } = *self;
-        let origins = || self.remake.origins.iter();
+        let origins = || self.rebuilt.origins.iter();
         let (old, projector) = (&object.mesh, vertices.projector);
         let w = |i: u32| vertices.clip_point(i).w;
         let inverse = |origin: &VertexOrigin| projector.depths.relative_inverse_w(origin.of(w));
@@ -313,7 +313,7 @@ impl Colored<'_> {
         let of = |lights: &Lights| self.found(&ObjectLight::new(lights, old, vertices, both_sides));
         let in_world = InWorld {
             light: world.map_or(FoundLight::None, |world| of(world.lights)),
-            inverse_w: origins().filter(|_| projector.perspective).map(inverse).collect(),
+            inverse_w: origins().filter(|_| projector.projection.is_perspective()).map(inverse).collect(),
             positions: origins().filter(|_| !casting.is_empty()).map(|origin| origin.of(place)).collect(),
             taken: world.map_or_else(Vec::new, |world| {
                 casting.iter().map(|&light| (light, of(&world.lights.only(light)))).collect()

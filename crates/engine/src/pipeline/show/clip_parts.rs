@@ -4,7 +4,6 @@
 //! No picture needs this. It shows the effect of clipping. The corners and the cuts are those of `clip`.
 
 use std::collections::HashSet;
-use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -12,15 +11,16 @@ use crate::appearance::LineStyle;
 use crate::camera::{Camera, Ndc, Projection};
 use crate::pipeline::mesh::bounds::Bounds;
 use crate::pipeline::mesh::cut::cut;
-use crate::pipeline::mesh::resample::{Remake, normals, object_paint};
+use crate::pipeline::mesh::resample::Rebuilt;
 use crate::pipeline::plan::Containment;
-use crate::pipeline::space::planes::{NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
-use crate::pipeline::space::point::{ClipPoint, ObjectPoint, WorldPoint};
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
+use crate::pipeline::space::{
+    ClipPoint, NOT_A_NUMBER, ORDER, ObjectPoint, PLANES, PlaneSet, WorldPoint, distances, outcode,
+};
 use crate::pipeline::stage::clip::ClippedCorner;
 use crate::pipeline::stage::cull_objects::containment;
 use crate::pipeline::stage::vertex::{clip_from_view, clip_from_world, view_point};
-use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
+use crate::scene::{Line, Object, Scene, SharedEdge};
 
 /// The bits of an outcode, `true` if a point is outside: left, right, bottom, top, near, far. `None` for a point with a
 /// coordinate that isn't a number.
@@ -155,35 +155,44 @@ impl Splitter {
                 _ => (Vec::new(), vec![whole()]),
             })
         };
-        let (mut inside, mut outside) = (ObjectPart::new(object), ObjectPart::new(object));
+        let (mut inside, mut outside) = (Rebuilt::new(mesh), Rebuilt::new(mesh));
+        let polygon = |part: &mut Rebuilt, of: [u32; 3], piece: &[ClippedCorner], source: u32| {
+            let corners = vertices(part, object, of, piece);
+            part.polygon(&corners, source);
+        };
+        // A segment has two corners, and so has a piece of it.
+        let ends = |part: &mut Rebuilt, [a, b]: [u32; 2], piece: &[ClippedCorner]| {
+            <[u32; 2]>::try_from(vertices(part, object, [a, b, b], piece)).ok()
+        };
         let faces = object.faces && !edges_only;
         let mut made = Vec::new();
         for (source, triangle) in (0_u32..).zip(&mesh.triangles) {
             let Some((kept, cut)) = parted(&triangle[..]) else { continue };
-            inside.polygon(*triangle, &kept, source);
-            for piece in &cut {
-                outside.polygon(*triangle, piece, source);
-            }
+            polygon(&mut inside, *triangle, &kept, source);
+            cut.iter().for_each(|piece| polygon(&mut outside, *triangle, piece, source));
             if faces && !cut.is_empty() && !kept.is_empty() {
                 made.push((*triangle, kept));
             }
         }
         for &[a, b] in &mesh.edges {
             let Some((kept, cut)) = parted(&[a, b]) else { continue };
-            inside.edge([a, b, b], &kept);
+            let of_inside = ends(&mut inside, [a, b], &kept);
+            inside.edges.extend(of_inside);
             for piece in &cut {
-                outside.edge([a, b, b], piece);
+                let of_outside = ends(&mut outside, [a, b], piece);
+                outside.edges.extend(of_outside);
             }
             if !faces && !cut.is_empty() && !kept.is_empty() {
                 made.push(([a, b, b], kept));
             }
         }
         for shared in &mesh.adjacency.edges {
-            let [a, b] = shared.ends;
-            let Some((kept, cut)) = parted(&[a, b]) else { continue };
-            inside.shared([a, b, b], &kept, shared);
+            let Some((kept, cut)) = parted(&shared.ends) else { continue };
+            let of_inside = ends(&mut inside, shared.ends, &kept);
+            inside.shared.extend(of_inside.map(|ends| SharedEdge { ends, ..*shared }));
             for piece in &cut {
-                outside.shared([a, b, b], piece, shared);
+                let of_outside = ends(&mut outside, shared.ends, piece);
+                outside.shared.extend(of_outside.map(|ends| SharedEdge { ends, ..*shared }));
             }
         }
         let place = |of: [u32; 3], corner: &ClippedCorner| {
@@ -194,11 +203,11 @@ impl Splitter {
         for polygon in &made {
             self.note(polygon);
         }
-        match outside.finish() {
+        match outside.into_object(object) {
             // The box crosses a plane, but nothing in it does.
             None => self.parts.inside.objects.push(object.clone()),
             Some(outside) => {
-                self.parts.inside.objects.extend(inside.finish());
+                self.parts.inside.objects.extend(inside.into_object(object));
                 self.parts.outside.objects.push(outside);
             }
         }
@@ -282,53 +291,11 @@ impl Polylines {
     }
 }
 
-/// The part of an object on one side.
-struct ObjectPart<'a> {
-    object: &'a Object,
-    remake: Remake,
-}
-
-impl<'a> ObjectPart<'a> {
-    fn new(object: &'a Object) -> Self {
-        Self { object, remake: Remake::new(&object.mesh) }
-    }
-
-    fn polygon(&mut self, of: [u32; 3], corners: &[ClippedCorner], source: u32) {
-        let corners: Vec<u32> = corners.iter().map(|corner| self.remake.vertex(corner.origin(of))).collect();
-        self.remake.polygon(&corners, source);
-    }
-
-    fn edge(&mut self, of: [u32; 3], ends: &[ClippedCorner]) {
-        if let Some(ends) = self.ends(of, ends) {
-            self.remake.edges.push(ends);
-        }
-    }
-
-    fn shared(&mut self, of: [u32; 3], ends: &[ClippedCorner], whole: &SharedEdge) {
-        if let Some(ends) = self.ends(of, ends) {
-            self.remake.shared.push(SharedEdge { ends, ..*whole });
-        }
-    }
-
-    fn ends(&mut self, of: [u32; 3], ends: &[ClippedCorner]) -> Option<[u32; 2]> {
-        let [a, b] = ends else { return None };
-        Some([a, b].map(|end| self.remake.vertex(end.origin(of))))
-    }
-
-    fn finish(self) -> Option<Object> {
-        let Self { object, remake } = self;
-        if remake.is_empty() {
-            return None;
-        }
-        let (old, origins) = (&object.mesh, &remake.origins);
-        let positions = origins.iter().map(|origin| origin.of(|i| old.positions[i as usize])).collect();
-        let paint = object_paint(object, origins.iter().copied(), &remake.sources);
-        let normals = normals(old, origins);
-        let adjacency = Adjacency { planes: old.adjacency.planes.clone(), edges: remake.shared };
-        let mesh =
-            Mesh { positions, normals, triangles: remake.triangles, edges: remake.edges, adjacency, ..Mesh::default() };
-        // Open now, so that its inside shows.
-        let two_sided = object.two_sided || old.closed;
-        Some(Object { mesh: Arc::new(mesh), paint, two_sided, ..object.clone() })
-    }
+/// The indices of corners that lie on the triangle, or the edge, with these vertices of an object.
+fn vertices(part: &mut Rebuilt, object: &Object, of: [u32; 3], corners: &[ClippedCorner]) -> Vec<u32> {
+    let index = |corner: &ClippedCorner| {
+        let origin = corner.origin(of);
+        part.vertex(origin, || origin.of(|i| object.mesh.positions[i as usize]))
+    };
+    corners.iter().map(index).collect()
 }

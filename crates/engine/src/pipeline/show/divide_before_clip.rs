@@ -4,18 +4,16 @@
 //! passes the plane w = 0 leads to the wrong place, although both its ends have coordinates. Clipping comes too late to
 //! repair that.
 
-use std::sync::Arc;
-
 use glam::{DMat4, DVec3};
 
 use super::projected::displayed;
 use crate::camera::Camera;
 use crate::pipeline::mesh::cut::{Origin, cut};
-use crate::pipeline::mesh::resample::{OWN_WEIGHTS, Remake, VertexOrigin, object_paint, with_triangles};
-use crate::pipeline::space::point::{ClipPoint, ObjectPoint, WorldPoint};
+use crate::pipeline::mesh::resample::{OWN_WEIGHTS, Rebuilt, VertexOrigin, with_triangles};
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::{ClipPoint, ObjectPoint, WorldPoint};
 use crate::pipeline::stage::vertex::{clip_from_view, clip_from_world, view_point};
-use crate::scene::{Line, Mesh, Object, PointMark, Scene};
+use crate::scene::{Line, Object, PointMark, Scene};
 
 /// A point divided by a w near 0 that lies farther away than this is nowhere.
 const MAX_DIVIDED: f64 = 1e100;
@@ -122,20 +120,32 @@ impl Divide {
             (0..).zip(&mesh.triangles).filter(|(_, triangle)| !behind(&triangle[..])).map(|(face, _)| face).collect();
         let edges = mesh.edges.iter().copied().filter(|edge| !behind(&edge[..])).collect();
         let outlined = mesh.adjacency.edges.iter().copied().filter(|edge| !behind(&edge.ends)).collect();
-        let mut wrong = Wrong { remake: Remake::new(mesh), positions: Vec::new() };
+        let mut wrong = Rebuilt::new(mesh);
+        let vertices = |wrong: &mut Rebuilt, of: [u32; 3], corners: &[Corner]| -> Vec<u32> {
+            let index = |corner: &Corner| wrong.vertex(VertexOrigin::on(of, corner.weights), || corner.shown);
+            corners.iter().map(index).collect()
+        };
         for (face, triangle) in (0_u32..).zip(&mesh.triangles).filter(|(_, triangle)| behind(&triangle[..])) {
-            let polygon = wrong.vertices(*triangle, &inside(triangle));
-            wrong.remake.polygon(&polygon, face);
+            let polygon = vertices(&mut wrong, *triangle, &inside(triangle));
+            wrong.polygon(&polygon, face);
         }
         for &[a, b] in mesh.edges.iter().filter(|edge| behind(&edge[..])) {
-            if let [a, b] = wrong.vertices([a, b, b], &inside(&[a, b]))[..] {
-                wrong.remake.edges.push([a, b]);
+            if let [a, b] = vertices(&mut wrong, [a, b, b], &inside(&[a, b]))[..] {
+                wrong.edges.push([a, b]);
             }
         }
+        let wrong = wrong.into_object(object).map(|wrong| Object {
+            world_from_object: DMat4::IDENTITY,
+            lit: false,
+            two_sided: true,
+            // Turned round the eye, no face has a side that is seen.
+            outline: None,
+            ..wrong
+        });
         // Open now, so that its inside shows, as if clipping had cut it open.
         let two_sided = object.two_sided || mesh.closed;
         let right = Object { two_sided, ..with_triangles(object, &right, edges, outlined) };
-        (right, wrong.finish(object))
+        (right, wrong)
     }
 
     fn line(&self, line: &Line, result: &mut DividedFirst) {
@@ -154,46 +164,6 @@ impl Divide {
                 lines.push(Line { points, ..line.clone() });
             }
         }
-    }
-}
-
-/// The wrong part of an object.
-struct Wrong {
-    remake: Remake,
-    /// The displayed position of each new vertex.
-    positions: Vec<DVec3>,
-}
-
-impl Wrong {
-    /// The indices of vertices that lie on the triangle, or the edge, with these vertices of the object.
-    fn vertices(&mut self, of: [u32; 3], corners: &[Corner]) -> Vec<u32> {
-        let index = |corner: &Corner| {
-            let index = self.remake.vertex(VertexOrigin::on(of, corner.weights));
-            if self.remake.origins.len() > self.positions.len() {
-                self.positions.push(corner.shown);
-            }
-            index
-        };
-        corners.iter().map(index).collect()
-    }
-
-    fn finish(self, object: &Object) -> Option<Object> {
-        let Self { remake, positions } = self;
-        if remake.is_empty() {
-            return None;
-        }
-        let paint = object_paint(object, remake.origins.iter().copied(), &remake.sources);
-        let mesh = Mesh { positions, triangles: remake.triangles, edges: remake.edges, ..Mesh::default() };
-        Some(Object {
-            mesh: Arc::new(mesh),
-            world_from_object: DMat4::IDENTITY,
-            paint,
-            lit: false,
-            two_sided: true,
-            // Turned round the eye, no face has a side that is seen.
-            outline: None,
-            ..object.clone()
-        })
     }
 }
 

@@ -1,4 +1,4 @@
-//! The mesh of an object after clipping and projection, made by [`Remake`] from the parts that are in the volume.
+//! The mesh of an object after clipping and projection, made by [`Rebuilt`] from the parts that are in the volume.
 //!
 //! Each triangle is cut by the planes that it crosses, in clip space and before the division, as Sutherland and Hodgman
 //! (1974) cut polygons. A new vertex keeps the two old ones that it lies between and its fraction of the way, so
@@ -7,12 +7,11 @@
 
 use glam::DVec3;
 
-use crate::pipeline::mesh::chunks::each_chunk;
-use crate::pipeline::mesh::resample::{Remake, VertexOrigin};
+use crate::pipeline::mesh::each_chunk;
+use crate::pipeline::mesh::resample::{Rebuilt, VertexOrigin};
 use crate::pipeline::space::depths::{InView, Sheet};
-use crate::pipeline::space::planes::{NOT_A_NUMBER, PLANES, PlaneSet, outcode};
-use crate::pipeline::space::point::{ClipPoint, ObjectPoint};
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::{ClipPoint, NOT_A_NUMBER, ObjectPoint, PLANES, PlaneSet, outcode};
 use crate::pipeline::stage::clip::Clipper;
 use crate::pipeline::stage::vertex::{clip_from_view, view_point};
 use crate::pipeline::stage::vertices::Vertices;
@@ -34,9 +33,8 @@ pub(crate) struct Projected<'a> {
     vertices: Vertices<'a>,
     outcodes: Vec<PlaneSet>,
     clipper: Clipper,
-    pub(crate) remake: Remake,
-    /// The displayed position of each new vertex.
-    pub(crate) positions: Vec<DVec3>,
+    /// Its vertices at their displayed positions.
+    pub(crate) rebuilt: Rebuilt,
     pub(crate) in_view: InView,
     /// No triangle was cut or dropped.
     pub(crate) whole: bool,
@@ -57,8 +55,7 @@ impl<'a> Projected<'a> {
             vertices,
             outcodes,
             clipper: Clipper::default(),
-            remake: Remake::new(mesh),
-            positions: Vec::new(),
+            rebuilt: Rebuilt::new(mesh),
             in_view: InView::NOTHING,
             whole: true,
             borders: Vec::new(),
@@ -69,11 +66,11 @@ impl<'a> Projected<'a> {
         }
         for &ends in &mesh.edges {
             let ends = made.edge(ends);
-            made.remake.edges.extend(ends);
+            made.rebuilt.edges.extend(ends);
         }
         for &edge in &mesh.adjacency.edges {
             let ends = made.edge(edge.ends);
-            made.remake.shared.extend(ends.map(|ends| SharedEdge { ends, ..edge }));
+            made.rebuilt.shared.extend(ends.map(|ends| SharedEdge { ends, ..edge }));
         }
         made
     }
@@ -88,7 +85,7 @@ impl<'a> Projected<'a> {
         let codes = self.codes(triangle);
         if codes == Some([0; 3]) {
             let corners = triangle.map(|i| self.vertex(self.vertices.clip_point(i), VertexOrigin::Vertex(i)));
-            return self.remake.polygon(&corners, source);
+            return self.rebuilt.polygon(&corners, source);
         }
         self.whole = false;
         let Some([a, b, c]) = codes else { return };
@@ -107,7 +104,7 @@ impl<'a> Projected<'a> {
             }
         }
         let polygon: Vec<u32> = kept.iter().map(|corner| self.vertex(corner.point, corner.origin(triangle))).collect();
-        self.remake.polygon(&polygon, source);
+        self.rebuilt.polygon(&polygon, source);
     }
 
     /// The part of an edge that is in the volume.
@@ -132,11 +129,10 @@ impl<'a> Projected<'a> {
 
     /// The index of a vertex, which is new unless it is one of the old mesh and was there before.
     fn vertex(&mut self, point: ClipPoint, origin: VertexOrigin) -> u32 {
-        let index = self.remake.vertex(origin);
-        if self.remake.origins.len() > self.positions.len() {
-            self.positions.push(displayed(self.vertices.projector, point));
-            self.in_view = self.in_view.and(InView::between(point.distance, point.distance));
-        }
-        index
+        let (projector, in_view) = (self.vertices.projector, &mut self.in_view);
+        self.rebuilt.vertex(origin, || {
+            *in_view = in_view.and(InView::between(point.distance, point.distance));
+            displayed(projector, point)
+        })
     }
 }

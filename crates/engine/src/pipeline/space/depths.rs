@@ -1,6 +1,7 @@
 //! The range of distances resolved by the depths of a picture: F … B, or, if everything in view would get the same
 //! depth then, the distances in view.
 
+use crate::camera::Projection;
 use crate::drawing::order::same_depth;
 use crate::drawing::single;
 
@@ -25,7 +26,7 @@ const GREATEST: f64 = 1e15;
 /// the unit F this is 1 at F and 0 at B.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthScale {
-    perspective: bool,
+    projection: Projection,
     /// The nearest distance from the plane of the eye that is resolved, in scene units.
     pub near: f64,
     /// The farthest. Points beyond have the depth 0.
@@ -73,8 +74,8 @@ impl InView {
 
 impl DepthScale {
     /// 1 at F and 0 at B.
-    pub const fn of_volume(perspective: bool, near: f64, far: f64) -> Self {
-        Self { perspective, near, far, unit: near }
+    pub const fn of_volume(projection: Projection, near: f64, far: f64) -> Self {
+        Self { projection, near, far, unit: near }
     }
 
     /// This scale if it resolves the depths in view, else one that does.
@@ -95,7 +96,7 @@ impl DepthScale {
         let depth = depth.max(thinnest);
         let aside = 0.5 * (depth - (farthest - nearest));
         let (near, far) = (nearest - aside, farthest + aside);
-        if self.perspective {
+        if self.projection.is_perspective() {
             // The eye stays before it.
             let near = near.max(0.5 * nearest);
             Self { near, far, unit: near.max(UNIT * far), ..self }
@@ -108,14 +109,14 @@ impl DepthScale {
     #[inline(always)]
     pub fn depth(&self, distance: f64) -> f64 {
         let share = (self.far - distance) / (self.far - self.near);
-        if self.perspective { share * (self.unit / distance) } else { share }
+        if self.projection.is_perspective() { share * (self.unit / distance) } else { share }
     }
 
     /// [`depth`](Self::depth), faster, from a known 1/w: nearly as accurate.
     #[inline(always)]
     pub(crate) fn depth_by(&self, distance: f64, inverse_w: f64) -> f64 {
         let share = (self.far - distance) / (self.far - self.near);
-        if self.perspective { share * (self.unit * inverse_w) } else { share }
+        if self.projection.is_perspective() { share * (self.unit * inverse_w) } else { share }
     }
 
     /// unit/w rather than 1/w, so that it fits in single precision in worlds of any size.
@@ -126,13 +127,17 @@ impl DepthScale {
 
     /// The depth of the nearest.
     pub fn greatest(&self) -> f64 {
-        if self.perspective { (self.unit / self.near).min(GREATEST) } else { 1.0 }
+        if self.projection.is_perspective() { (self.unit / self.near).min(GREATEST) } else { 1.0 }
     }
 
     /// The distance that has a depth.
     pub fn distance(&self, depth: f64) -> f64 {
         let across = self.far - self.near;
-        if self.perspective { self.far / (1.0 + depth * across / self.unit) } else { self.far - depth * across }
+        if self.projection.is_perspective() {
+            self.far / (1.0 + depth * across / self.unit)
+        } else {
+            self.far - depth * across
+        }
     }
 
     /// Converts a depth of this scale to another scale.
@@ -143,7 +148,11 @@ impl DepthScale {
     /// The greatest difference of a distance from this one that still counts as the same, in scene units.
     pub fn same(&self, distance: f64) -> f64 {
         let across = self.far - self.near;
-        let by_depth = if self.perspective { distance * distance * across / (self.far * self.unit) } else { across };
+        let by_depth = if self.projection.is_perspective() {
+            distance * distance * across / (self.far * self.unit)
+        } else {
+            across
+        };
         f64::from(same_depth(single(self.depth(distance)))) * by_depth
     }
 }
@@ -169,7 +178,7 @@ impl Sheet {
         if !(depth > THINNEST * farthest && front - behind < Self::THICKNESS) {
             return None;
         }
-        let w = if volume.perspective { nearest } else { 1.0 };
+        let w = if volume.projection.is_perspective() { nearest } else { 1.0 };
         Some(Self { farthest, slope: Self::THICKNESS * w / depth, behind: behind.clamp(-1.0, 1.0 - Self::THICKNESS) })
     }
 }
@@ -178,10 +187,12 @@ impl Sheet {
 mod tests {
     use super::*;
 
+    const BOTH: [Projection; 2] = [Projection::Perspective, Projection::Parallel];
+
     #[test]
     fn a_scale_that_tells_apart_what_is_in_view_stays() {
-        for perspective in [true, false] {
-            let volume = DepthScale::of_volume(perspective, 0.1, 100.0);
+        for projection in BOTH {
+            let volume = DepthScale::of_volume(projection, 0.1, 100.0);
             assert_eq!((volume.depth(0.1), volume.depth(100.0), volume.greatest()), (1.0, 0.0, 1.0));
             assert_eq!(volume.resolving(InView::between(5.0, 11.0)), volume);
             assert_eq!(volume.resolving(InView::NOTHING), volume);
@@ -193,8 +204,8 @@ mod tests {
     #[test]
     fn what_is_in_view_is_told_apart_whatever_f_and_b_are() {
         let volumes = [(1e-12, 100.0), (0.1, 1e12), (1e-9, 1e6), (4.0, 1e15), (1e-30, 1e30), (5.0, 11.0)];
-        for (perspective, (near, far)) in [true, false].into_iter().flat_map(|p| volumes.map(|v| (p, v))) {
-            let scale = DepthScale::of_volume(perspective, near, far).resolving(InView::between(5.0, 11.0));
+        for (projection, (near, far)) in BOTH.into_iter().flat_map(|p| volumes.map(|v| (p, v))) {
+            let scale = DepthScale::of_volume(projection, near, far).resolving(InView::between(5.0, 11.0));
             for distance in [5.0, 6.0, 8.5, 10.999] {
                 assert!(scale.same(distance) < 0.01 * 6.0, "{scale:?}: {}", scale.same(distance));
                 let back = scale.distance(scale.depth(distance));
@@ -206,19 +217,20 @@ mod tests {
 
     #[test]
     fn a_thing_that_is_thin_and_far_away_is_told_apart_and_one_that_is_rounding_is_not() {
-        for perspective in [true, false] {
-            let volume = DepthScale::of_volume(perspective, 1.0, 1e13);
+        for projection in BOTH {
+            let volume = DepthScale::of_volume(projection, 1.0, 1e13);
             let thin = volume.resolving(InView::between(1e12, 1e12 + 20.0));
             assert!(thin.same(1e12) < 0.2 && thin.same(1e12 + 19.0) < 0.2, "{thin:?}");
             assert_eq!(volume.resolving(InView::between(1e12, 1e12 + 0.05)), volume);
         }
-        let slab = DepthScale::of_volume(true, 5.0, 5.0 + 1e-14).resolving(InView::between(5.0, 5.0 + 1e-14));
+        let slab = DepthScale::of_volume(Projection::Perspective, 5.0, 5.0 + 1e-14)
+            .resolving(InView::between(5.0, 5.0 + 1e-14));
         assert!(slab.far - slab.near > 4e-13, "{slab:?}");
     }
 
     #[test]
     fn what_is_next_to_the_eye_does_not_take_the_depths_of_all_else() {
-        let scale = DepthScale::of_volume(true, 1e-12, 1e3).resolving(InView::between(1e-12, 40.0));
+        let scale = DepthScale::of_volume(Projection::Perspective, 1e-12, 1e3).resolving(InView::between(1e-12, 40.0));
         for distance in [1e-9, 1e-3, 0.5, 10.0, 39.0] {
             assert!(scale.same(distance) < 2e-3 * distance, "{distance}: {}", scale.same(distance));
         }
@@ -226,8 +238,8 @@ mod tests {
 
     #[test]
     fn a_depth_goes_from_scale_to_scale() {
-        for perspective in [true, false] {
-            let volume = DepthScale::of_volume(perspective, 1e-6, 1e6);
+        for projection in BOTH {
+            let volume = DepthScale::of_volume(projection, 1e-6, 1e6);
             let scale = volume.resolving(InView::between(5.0, 11.0));
             assert_ne!(scale, volume);
             for distance in [5.0, 8.0, 10.5] {

@@ -3,7 +3,7 @@
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::depths::{DepthScale, Sheet};
-use super::point::{FromEye, ObjectPoint, ViewPoint, WorldPoint};
+use super::{FromEye, ObjectPoint, ViewPoint, WorldPoint};
 use crate::camera::{Basis, Camera, Projection};
 
 /// The camera as the pipeline applies it, point by point.
@@ -11,8 +11,7 @@ use crate::camera::{Basis, Camera, Projection};
 pub(crate) struct Projector {
     position: DVec3,
     basis: Basis,
-    /// Perspective (true) or parallel projection.
-    pub(crate) perspective: bool,
+    pub(crate) projection: Projection,
     /// F.
     pub(crate) near: f64,
     /// B.
@@ -30,16 +29,16 @@ impl Projector {
     /// Takes from `camera` the coefficients of `[0]` Eqs. (5.13) and (5.15).
     pub(crate) fn new(camera: &Camera) -> Self {
         let window = camera.window();
-        let perspective = camera.projection() == Projection::Perspective;
-        let reach = if perspective { 2.0 * camera.near() } else { 2.0 };
+        let projection = camera.projection();
+        let reach = if projection.is_perspective() { 2.0 * camera.near() } else { 2.0 };
         Self {
             position: camera.position(),
             basis: camera.basis(),
-            perspective,
+            projection,
             near: camera.near(),
             far: camera.far(),
             scale: [reach / window.width(), reach / window.height()],
-            depths: DepthScale::of_volume(perspective, camera.near(), camera.far()),
+            depths: DepthScale::of_volume(projection, camera.near(), camera.far()),
             sheet: None,
             shift: [(window.right + window.left) / window.width(), (window.top + window.bottom) / window.height()],
         }
@@ -58,7 +57,7 @@ impl Projector {
     /// The direction in view space in which the distance from a plane of the volume grows, and how fast.
     pub(crate) fn gradient(&self, plane: usize) -> DVec3 {
         // The part of w, which is −z_c or constant.
-        let w = if self.perspective { DVec3::NEG_Z } else { DVec3::ZERO };
+        let w = if self.projection.is_perspective() { DVec3::NEG_Z } else { DVec3::ZERO };
         let across = |axis: usize, unit: DVec3| unit * self.scale[axis] - w * self.shift[axis];
         match plane {
             0 => w + across(0, DVec3::X),
@@ -78,7 +77,7 @@ impl Projector {
         let view_from_world = DMat3::from_cols(u, v, n).transpose();
         let inverse = linear.inverse();
         let determinant = linear.determinant();
-        let seen_from = if self.perspective {
+        let seen_from = if self.projection.is_perspective() {
             (inverse * (self.position - translation)).extend(1.0)
         } else {
             (inverse * n).extend(0.0)

@@ -13,10 +13,10 @@ use super::vertex::{divide, snap, viewport};
 use super::vertices::Vertices;
 use crate::pipeline::mesh::cut::{Edge, Origin, cut};
 use crate::pipeline::mesh::resample::{OWN_WEIGHTS, VertexOrigin};
-use crate::pipeline::space::planes::{ALL_PLANES, NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
-use crate::pipeline::space::point::ClipPoint;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::screen::Screen;
+use crate::pipeline::space::{
+    ALL_PLANES, ClipPoint, NOT_A_NUMBER, ORDER, PLANES, PlaneSet, Screen, distances, outcode,
+};
 
 /// Cuts the triangles that cross a plane and adds the rest of each, a convex polygon, as a fan of triangles. With
 /// `all_planes`, also cuts them at the planes that they don't cross.
@@ -109,7 +109,7 @@ impl ClippedCorner {
             5 => projector.far,
             _ => between(edge.mean(a.distance, b.distance), [4, 5], [projector.near, projector.far]),
         };
-        let w = if projector.perspective { distance } else { 1.0 };
+        let w = if projector.projection.is_perspective() { distance } else { 1.0 };
         let x = match plane {
             0 => -w,
             1 => w,
@@ -205,7 +205,7 @@ mod tests {
     use super::super::vertex::clip_from_view;
     use super::*;
     use crate::camera::{Camera, Parameters, Projection, ViewWindow};
-    use crate::pipeline::space::point::ViewPoint;
+    use crate::pipeline::space::ViewPoint;
     use glam::DVec3;
     use proptest::prelude::*;
 
@@ -338,7 +338,7 @@ mod tests {
                     let distances = distances(&eye, corner.point);
                     assert!(zero.iter().any(|&i| distances[i] == 0.0), "{corner:?}");
                     cut_at |= zero.iter().fold(0, |set, i| set | 1 << i);
-                    let w = if eye.perspective { corner.point.distance } else { 1.0 };
+                    let w = if eye.projection.is_perspective() { corner.point.distance } else { 1.0 };
                     assert!((corner.point.w - w).abs() < 1e-15 * w, "{corner:?}");
                 }
             }

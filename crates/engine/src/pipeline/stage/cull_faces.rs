@@ -12,10 +12,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::faces::{Crossing, CulledChunk, Faces, LANES, to_u32};
 use super::vertices::{OnImage, Vertices};
-use crate::pipeline::mesh::chunks::{CHUNK, each};
-use crate::pipeline::space::planes::{NOT_A_NUMBER, PlaneSet};
-use crate::pipeline::space::point::ViewPoint;
+use crate::pipeline::mesh::{CHUNK, each};
+use crate::pipeline::space::ViewPoint;
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::{NOT_A_NUMBER, PlaneSet};
 
 /// The work on the faces of one object.
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +98,7 @@ pub(crate) fn area_on_image(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f64 {
 pub(crate) fn facing(projector: &Projector, [a, b, c]: [ViewPoint; 3]) -> f64 {
     let [a, b, c] = [a.0, b.0, c.0];
     let normal = (b - a).cross(c - a);
-    if projector.perspective { -normal.dot(a) } else { normal.z }
+    if projector.projection.is_perspective() { -normal.dot(a) } else { normal.z }
 }
 
 /// The data that decides about a triangle.

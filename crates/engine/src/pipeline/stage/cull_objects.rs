@@ -12,9 +12,8 @@ use crate::pipeline::mesh::bounds::{Bounds, KnownBounds};
 use crate::pipeline::plan::{Containment, Extent};
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::depths::InView;
-use crate::pipeline::space::planes::{ALL_PLANES, PLANES, PlaneSet, distances};
-use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
+use crate::pipeline::space::{ALL_PLANES, ObjectPoint, PLANES, PlaneSet, distances};
 use crate::scene::Object;
 
 /// Compares each object with the volume, in the order of the scene. [`Plan`](crate::pipeline::plan::Plan) marks those
@@ -72,7 +71,7 @@ pub(crate) fn containment(projector: &Projector, view_from_object: &ViewFromObje
 
 /// Greatest error of the distances from the planes: of left and right, bottom and top, near and far.
 fn slack(projector: &Projector, margin: f64, reach: f64) -> [f64; 3] {
-    let w = if projector.perspective { reach } else { 1.0 };
+    let w = if projector.projection.is_perspective() { reach } else { 1.0 };
     [
         margin * (projector.scale[0] * reach + (1.0 + projector.shift[0].abs()) * w),
         margin * (projector.scale[1] * reach + (1.0 + projector.shift[1].abs()) * w),
@@ -141,7 +140,7 @@ mod tests {
 
     /// A point at a distance from a plane, at depth 2 and away from all other planes.
     fn at(projector: &Projector, plane: usize, distance: f64) -> DVec3 {
-        let w = if projector.perspective { 2.0 } else { 1.0 };
+        let w = if projector.projection.is_perspective() { 2.0 } else { 1.0 };
         let across = |axis: usize| {
             let clip = match plane {
                 p if p / 2 != axis => 0.0,
@@ -156,7 +155,7 @@ mod tests {
             _ => return DVec3::new(across(0), across(1), -2.0),
         };
         // The middle of the window there.
-        let w = if projector.perspective { depth } else { 1.0 };
+        let w = if projector.projection.is_perspective() { depth } else { 1.0 };
         DVec3::new(projector.shift[0] * w / projector.scale[0], projector.shift[1] * w / projector.scale[1], -depth)
     }
 

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::vertices::OnImage;
 use crate::pipeline::mesh::resample::VertexOrigin;
-use crate::pipeline::space::planes::{NEAR, NOT_A_NUMBER, PlaneSet};
+use crate::pipeline::space::{NEAR, NOT_A_NUMBER, PlaneSet};
 
 /// Vertices that are lit together. [`Faces::used`] has one entry for each such group.
 pub(crate) const LANES: usize = 8;

@@ -14,9 +14,8 @@ use crate::pipeline::budget::OverBudget;
 use crate::pipeline::order::bsp::{self, TooManyPieces};
 use crate::pipeline::order::painter;
 use crate::pipeline::order::pieces::Layer;
-use crate::pipeline::space::point::ViewPoint;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::screen::Screen;
+use crate::pipeline::space::{Screen, ViewPoint};
 use crate::progress::Progress;
 use crate::scene::Object;
 
@@ -27,8 +26,8 @@ pub(crate) struct Unordered<'a> {
     pub(crate) surfaces: Vec<Surface>,
     /// To be put in order.
     layers: Vec<Layer>,
-    /// The object of each layer.
-    of_object: Vec<&'a Object>,
+    /// The object of each layer, with its place in the picture.
+    of_object: Vec<(usize, &'a Object)>,
 }
 
 /// The surfaces of a picture as they are painted.
@@ -37,14 +36,23 @@ pub(crate) struct Ordered {
     pub(crate) surfaces: Vec<Surface>,
     /// The number of faces put in order, and of pieces they were split into.
     pub(crate) pieces: Option<(usize, usize)>,
-    /// The number of pieces made when there were too many, so that a depth buffer decides.
-    pub(crate) given_up: Option<(usize, OverBudget)>,
+    /// The number of pieces made when there were too many, so that a depth buffer decides, and the message if objects
+    /// of the scene are among those that were split.
+    pub(crate) given_up: Option<(usize, Option<OverBudget>)>,
+}
+
+/// The limit of splitting, and the objects that a message names if it's exceeded.
+#[derive(Clone, Copy)]
+pub(crate) struct PieceBudget {
+    pub(crate) max_pieces: usize,
+    /// Number of objects of the scene. Those that come after them are gear.
+    pub(crate) own_objects: usize,
 }
 
 impl<'a> Unordered<'a> {
-    pub(crate) fn add_layer(&mut self, object: &'a Object, layer: Layer) {
+    pub(crate) fn add_layer(&mut self, index: usize, object: &'a Object, layer: Layer) {
         self.layers.push(layer);
-        self.of_object.push(object);
+        self.of_object.push((index, object));
     }
 }
 
@@ -53,7 +61,7 @@ pub(crate) fn hidden_surfaces(
     unordered: Unordered,
     order: Visibility,
     (projector, screen): (&Projector, &Screen),
-    max_pieces: usize,
+    budget: PieceBudget,
     progress: &Progress,
 ) -> Ordered {
     let Unordered { surfaces, layers, of_object } = unordered;
@@ -66,14 +74,14 @@ pub(crate) fn hidden_surfaces(
     };
     let sorted = match order {
         Visibility::DepthBuffer => return Ordered { surfaces, ..Ordered::default() },
-        Visibility::Bsp => bsp::by_splitting(&layers, projector, &image, max_pieces, progress),
+        Visibility::Bsp => bsp::by_splitting(&layers, projector, &image, budget.max_pieces, progress),
         Visibility::Painter => Ok(painter::by_centroid(&layers, &image)),
     };
     match sorted {
         Ok((surfaces, pieces)) => Ordered { surfaces, pieces: Some((faces, pieces)), given_up: None },
         Err(TooManyPieces { pieces, of_layer }) => {
-            let names = of_object.iter().map(|object| object.name.as_str());
-            let over_budget = OverBudget::pieces(names.zip(of_layer));
+            let shares = of_object.iter().zip(of_layer).filter(|((index, _), _)| *index < budget.own_objects);
+            let over_budget = OverBudget::pieces(shares.map(|((_, object), share)| (object.name.as_str(), share)));
             let tested = |layer: Layer| Surface { depth_test: true, ..layer.surface };
             let surfaces = layers.into_iter().map(tested).collect();
             Ordered { surfaces, pieces: None, given_up: Some((pieces, over_budget)) }

@@ -13,18 +13,18 @@ use glam::DVec3;
 
 use super::clip::Clipper;
 use super::vertex::{clip_from_view, clip_from_world, divide, unsnapped, viewport};
-use super::vertices::{OnImage, Vertices};
+use super::vertices::{OnImage, Snap, Vertices, Wanted};
 use crate::appearance::{HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Label, Mark, StrokeSet};
 use crate::pipeline::Target;
-use crate::pipeline::mesh::chunks::{CHUNK, each};
 use crate::pipeline::mesh::outline::outline;
+use crate::pipeline::mesh::{CHUNK, each};
 use crate::pipeline::scenes::Scenes;
+use crate::pipeline::space::Screen;
 use crate::pipeline::space::depths::InView;
-use crate::pipeline::space::planes::{NOT_A_NUMBER, outcode};
-use crate::pipeline::space::point::{ClipPoint, ViewPoint, WorldPoint};
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::screen::Screen;
+use crate::pipeline::space::{ClipPoint, ViewPoint, WorldPoint};
+use crate::pipeline::space::{NOT_A_NUMBER, outcode};
 use crate::scene::{Object, ObjectPaint};
 
 /// The range of distances at which lines, marks and texts of the scene are in the volume.
@@ -124,7 +124,7 @@ impl<'a> Strokes<'a> {
             return known.map(|&edge| cut(self, edge)).sum();
         }
         let mut ends = OnImage::default();
-        ends.fill::<false>(vertices, self.screen, true, false);
+        ends.fill(vertices, self.screen, Snap::Exact, Wanted { outcodes: true, inverse_w: false });
         let mut points = vertices.len();
         let style = LineStyle { width: line_style.width * self.fine, ..line_style };
         if ends.outcodes.is_empty() && edges.iter().flatten().all(|&i| (i as usize) < vertices.len()) {

@@ -6,7 +6,7 @@
 //! | traverse | scene → objects | [`traverse`] |
 //! | cull objects | boxes of objects | [`cull_objects`] |
 //! | normals | object → view | [`normals`] |
-//! | light | view → colours | [`light`], eight points at a time in [`reflection`] |
+//! | light | view → colours | [`light`], eight points at a time in [`reflection`]; the rest of a surface in [`attributes`] |
 //! | transform, oblique window, divide, viewport | object → pixels | [`vertex`], in a loop in [`vertices`] |
 //! | cull faces | triangles on the image | [`cull_faces`] |
 //! | clip | clip | [`clip`] |
@@ -19,6 +19,7 @@
 //! planes. Corners that clipping makes follow on their own. [`faces`] holds the buffers in between, [`shadow_maps`] the
 //! lights' own pictures.
 
+pub(crate) mod attributes;
 pub(crate) mod clip;
 pub(crate) mod cull_faces;
 pub(crate) mod cull_objects;

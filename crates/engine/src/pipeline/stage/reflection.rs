@@ -15,9 +15,9 @@ use crate::appearance::{LightShare, Rgba, Shading};
 use crate::drawing::{Lighting, ViewLight, single};
 use crate::geometry::try_unit;
 use crate::lighting::{light_eight, packed, shade, unpacked, with_light};
-use crate::pipeline::mesh::chunks::each_chunk;
-use crate::pipeline::space::point::{ObjectPoint, ViewPoint, WorldPoint};
+use crate::pipeline::mesh::each_chunk;
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::{ObjectPoint, ViewPoint, WorldPoint};
 use crate::scene::{Light, LightKind, Mesh};
 use crate::simd::prelude::*;
 use crate::simd::with_vectors;
@@ -62,7 +62,7 @@ impl Lights {
             diffuse: DIFFUSE,
             specular: if shiny { SPECULAR } else { 0.0 },
             shininess: SHININESS,
-            distant_viewer: !projector.perspective,
+            distant_viewer: !projector.projection.is_perspective(),
             two_sided: false,
             lights,
         };

@@ -5,7 +5,6 @@
 //! camera of the picture, so all pictures of a scene share it. It's made again only if the light or an occluder
 //! changes.
 
-use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use glam::{DMat4, DVec3};
@@ -17,7 +16,7 @@ use crate::drawing::{Rays, ShadowMap, single};
 use crate::geometry::try_unit;
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::seen_by_light;
-use crate::pipeline::space::point::ObjectPoint;
+use crate::pipeline::space::ObjectPoint;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
 use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, Shadows};
 
@@ -258,18 +257,8 @@ fn made(light: &Light, occluders: &[Occluder]) -> Option<ShadowLight> {
     let views = cameras.iter().map(|camera| seen_by_light(&scene, camera, size)).collect();
     let projector = Projector::new(cameras.first()?);
     let rays = rays(&cameras, &projector, size)?;
-    let map = ShadowMap::new(views, size, rays, single(shadows.softness), recipe(light, occluders));
+    let map = ShadowMap::new(views, size, rays, single(shadows.softness));
     Some(ShadowLight { map: Arc::new(map), light: 0, bias: 0.0, projector })
-}
-
-/// A hash of a light and of its occluders.
-fn recipe(light: &Light, occluders: &[Occluder]) -> u64 {
-    let mut hash = DefaultHasher::new();
-    (light.kind == LightKind::Point, light.vector.to_array().map(f64::to_bits)).hash(&mut hash);
-    for Occluder { mesh, world_from_object } in occluders {
-        (Arc::as_ptr(mesh), world_from_object.to_cols_array().map(f64::to_bits)).hash(&mut hash);
-    }
-    hash.finish()
 }
 
 /// Only faces, without light, seen from both sides.
@@ -281,7 +270,7 @@ fn alone(Occluder { mesh, world_from_object }: &Occluder) -> Object {
 fn rays(cameras: &[Camera], projector: &Projector, size: u32) -> Option<Rays> {
     let camera = cameras.first()?;
     let (near, far) = (camera.near(), camera.far());
-    if !projector.perspective {
+    if !projector.projection.is_perspective() {
         return Some(Rays::Parallel { step: single(camera.window_height() / f64::from(size) / (far - near)) });
     }
     let axes = cameras.iter().map(|camera| {
@@ -312,7 +301,7 @@ impl SeenByLight<'_> {
     /// The place of a point of the object, as [`Rays`] has it.
     pub(crate) fn place(&self, p: ObjectPoint) -> DVec3 {
         let (projector, p_view) = (&self.light.projector, view_point(&self.view_from_object, p));
-        if projector.perspective {
+        if projector.projection.is_perspective() {
             return p_view.0 / projector.far;
         }
         let p = clip_from_view(projector, p_view);
@@ -323,7 +312,7 @@ impl SeenByLight<'_> {
     /// The plane through three [places](Self::place), as [`Rays`] has it; zero if there is none.
     pub(crate) fn plane(&self, [a, b, c]: [DVec3; 3]) -> [f32; 3] {
         let normal = (b - a).cross(c - a);
-        let plane = if self.light.projector.perspective {
+        let plane = if self.light.projector.projection.is_perspective() {
             normal / normal.dot(a)
         } else {
             DVec3::new(-normal.x / normal.z, -normal.y / normal.z, 0.0)

@@ -12,9 +12,10 @@
 
 use crate::drawing::single;
 use crate::pipeline::space::depths::DepthScale;
-use crate::pipeline::space::point::{ClipPoint, FromEye, NdcPoint, ObjectPoint, Pixel, ViewPoint, WorldPoint};
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
-use crate::pipeline::space::screen::{SUBPIXELS, Screen};
+use crate::pipeline::space::{
+    ClipPoint, FromEye, NdcPoint, ObjectPoint, Pixel, SUBPIXELS, Screen, ViewPoint, WorldPoint,
+};
 use crate::simd::round_to_steps;
 
 /// **Transform**: object → world → view.
@@ -52,7 +53,7 @@ pub(crate) fn view_point(view_from_object: &ViewFromObject, p: ObjectPoint) -> V
 #[inline(always)]
 pub(crate) fn project_symmetric(projector: &Projector, ViewPoint(p): ViewPoint) -> ClipPoint {
     let distance = -p.z;
-    let w = if projector.perspective { distance } else { 1.0 };
+    let w = if projector.projection.is_perspective() { distance } else { 1.0 };
     ClipPoint { x: projector.scale[0] * p.x, y: projector.scale[1] * p.y, w, distance }
 }
 

@@ -12,11 +12,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::vertex::{clip_from_view, divide, snap, transform, unsnapped, view_point, viewport};
-use crate::pipeline::mesh::chunks::CHUNK;
-use crate::pipeline::space::planes::{PlaneSet, outcode};
-use crate::pipeline::space::point::{ClipPoint, FromEye, ObjectPoint, ViewPoint};
+use crate::pipeline::mesh::CHUNK;
 use crate::pipeline::space::projector::{BLOCK, Projector, ViewFromObject};
-use crate::pipeline::space::screen::Screen;
+use crate::pipeline::space::{ClipPoint, FromEye, ObjectPoint, PlaneSet, Screen, ViewPoint, outcode};
 use crate::simd::with_vectors;
 
 /// The vertices of an object, and the transforms that they go through.
@@ -58,6 +56,24 @@ pub(crate) struct OnImage {
     pub(crate) outside: PlaneSet,
 }
 
+/// The precision of places on the image.
+#[derive(Clone, Copy)]
+pub(crate) enum Snap {
+    /// On the grid of the image, for corners of triangles: neighbours agree.
+    Grid,
+    /// Exact, for ends of lines.
+    Exact,
+}
+
+/// The data of vertices besides their places.
+#[derive(Clone, Copy)]
+pub(crate) struct Wanted {
+    /// The planes of the volume that each is outside of. Needless if the object crosses none.
+    pub(crate) outcodes: bool,
+    /// 1/w, for attributes that perspective bends.
+    pub(crate) inverse_w: bool,
+}
+
 /// A chunk of vertices. `inverse_w` and `outcodes` are empty if not requested.
 struct VertexChunk<'a> {
     given: &'a [DVec3],
@@ -67,21 +83,13 @@ struct VertexChunk<'a> {
 }
 
 impl OnImage {
-    /// Takes each vertex once through all spaces: to the grid of the image (`GRID`, for corners of triangles) or to its
-    /// exact place (for ends of lines). Compares it with the planes of the volume if the object may cross any
-    /// (`crosses`).
-    pub(crate) fn fill<const GRID: bool>(
-        &mut self,
-        vertices: &Vertices,
-        screen: &Screen,
-        crosses: bool,
-        want_inverse_w: bool,
-    ) {
+    /// Takes each vertex once through all spaces to the image.
+    pub(crate) fn fill(&mut self, vertices: &Vertices, screen: &Screen, snap: Snap, wanted: Wanted) {
         let n = vertices.len();
         // The old content is overwritten.
         self.positions.resize(n, [0.0; 3]);
-        self.inverse_w.resize(if want_inverse_w { n } else { 0 }, 0.0);
-        self.outcodes.resize(if crosses { n } else { 0 }, 0);
+        self.inverse_w.resize(if wanted.inverse_w { n } else { 0 }, 0.0);
+        self.outcodes.resize(if wanted.outcodes { n } else { 0 }, 0);
         let (mut inverse_w, mut outcodes) = (self.inverse_w.chunks_mut(CHUNK), self.outcodes.chunks_mut(CHUNK));
         let chunks = vertices.positions.chunks(CHUNK).zip(self.positions.chunks_mut(CHUNK));
         let chunks = chunks.map(|(given, positions)| VertexChunk {
@@ -90,7 +98,10 @@ impl OnImage {
             inverse_w: inverse_w.next().unwrap_or_default(),
             outcodes: outcodes.next().unwrap_or_default(),
         });
-        let fill = |mut chunk: VertexChunk| with_vectors!(_simd => chunk.fill::<GRID>(vertices, screen));
+        let fill = |mut chunk: VertexChunk| match snap {
+            Snap::Grid => with_vectors!(_simd => chunk.fill::<true>(vertices, screen)),
+            Snap::Exact => with_vectors!(_simd => chunk.fill::<false>(vertices, screen)),
+        };
         let either = |a: PlaneSet, b: PlaneSet| a | b;
         self.outside = if n > 2 * CHUNK {
             chunks.collect::<Vec<_>>().into_par_iter().map(fill).reduce(|| 0, either)
@@ -158,7 +169,7 @@ mod tests {
     use crate::appearance::Rgba;
     use crate::camera::{Camera, Parameters};
     use crate::pipeline::Target;
-    use crate::pipeline::space::point::{NdcPoint, Pixel};
+    use crate::pipeline::space::{NdcPoint, Pixel};
     use glam::DMat4;
 
     #[test]
@@ -194,7 +205,7 @@ mod tests {
         let positions = vec![p_object.0; 40];
         let vertices = Vertices { projector: &projector, view_from_object: &view_from_object, positions: &positions };
         let mut image = OnImage::default();
-        image.fill::<true>(&vertices, &screen, true, true);
+        image.fill(&vertices, &screen, Snap::Grid, Wanted { outcodes: true, inverse_w: true });
         assert_eq!(image.positions, [[75.0, 75.0, 0.25]; 40]);
         assert_eq!((image.inverse_w, image.outside), (vec![0.5; 40], 0));
     }

@@ -6,13 +6,10 @@
 
 use std::ops::Range;
 
-use crate::drawing::Surface;
 use crate::simd::prelude::*;
 
-use super::counts::Counts;
 use super::setup::Size;
-use crate::raster::depth::pack_slope;
-use crate::raster::pixel::{self, LANES, Pixel};
+use crate::raster::pixel::{LANES, Pixel};
 
 /// Some rows of a picture: colour and depth of each sample, in one plane for each place of a sample.
 pub(super) struct Band<'a> {
@@ -31,8 +28,6 @@ pub(super) struct Band<'a> {
     pub(super) slopes: &'a mut [u32],
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,
-    /// Nothing of the surface at hand is painted behind the stored depths.
-    pub(super) hides: bool,
     /// The greatest number of the format of the depths. 0 if they are stored as they are.
     pub(super) greatest: f32,
     /// If requested.
@@ -42,127 +37,61 @@ pub(super) struct Band<'a> {
 impl Band<'_> {
     /// The position of a pixel's values.
     #[inline(always)]
-    pub(super) fn place(&self, row: i32, column: i32) -> TileStart {
-        TileStart { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
-    }
-
-    /// The pixels, one for each lane, at which these depths, as they are stored, are nearer than the stored ones.
-    #[inline(always)]
-    pub(super) fn nearer<K: Simd>(
-        &self,
-        z: f32x8<K>,
-        asked: mask32x8<K>,
-        columns: i32x8<K>,
-        rows: i32x8<K>,
-    ) -> mask32x8<K> {
-        let places = (rows - self.rows.start) * self.pitch.cast_signed() + columns;
-        let places = asked.select(places, i32x8::splat(z.witness(), 0));
-        let mut old = [f32::NEG_INFINITY; LANES];
-        for l in 0..LANES {
-            if let Some(&depth) = self.depths.get(places[l] as usize) {
-                old[l] = depth;
-            }
-        }
-        asked & z.simd_gt(f32x8::from_slice(z.witness(), &old))
-    }
-
-    /// Sets pixels of a triangle: each by its distance from `start`, its depth as it is stored, and its colour.
-    #[inline(always)]
-    pub(super) fn set_each(
-        &mut self,
-        surface: &Surface,
-        start: u32,
-        slope: [f32; 2],
-        pixels: impl Iterator<Item = (u32, f32, Pixel)>,
-    ) {
-        for (offset, depth, color) in pixels {
-            self.set(surface, start + offset, depth, slope, color);
-        }
-    }
-
-    /// Sets a pixel.
-    #[inline(always)]
-    fn set(&mut self, surface: &Surface, pixel: u32, depth: f32, [dx, dy]: [f32; 2], color: Pixel) {
-        let start = pixel as usize;
-        let Some(pixel) = self.colors.get_mut(start) else { return };
-        if let Some(counts) = &mut self.counts {
-            counts.covered += 1;
-        }
-        if surface.depth_test
-            && let Some(old) = self.depths.get_mut(start)
-        {
-            // Not `<=`, because a depth that isn't a number is behind everything, as in `Painter`.
-            if !(depth > *old || self.in_order) {
-                return;
-            }
-            if !surface.translucent {
-                *old = depth;
-                if let Some(slope) = self.slopes.get_mut(start) {
-                    *slope = pack_slope(dx, dy);
-                }
-            }
-        }
-        if let Some(counts) = &mut self.counts {
-            counts.written += 1;
-        }
-        *pixel = if surface.translucent { pixel::over(color, *pixel) } else { color };
+    pub(super) fn place(&self, row: i32, column: i32) -> u32 {
+        // 32 bits, so that the compiler knows that a sum in 64 doesn't overflow.
+        (row - self.rows.start) as u32 * self.pitch + column as u32
     }
 }
 
-/// The start of a tile in the arrays of a band, and the distance from there to the next row.
-#[derive(Clone, Copy)]
-pub(super) struct TileStart {
-    // 32 bits, so that the compiler knows that a sum in 64 doesn't overflow.
-    pub(super) start: u32,
-    pub(super) pitch: u32,
+/// The values of the tile at a place. `None` outside of the array.
+#[inline(always)]
+pub(super) fn load<K: Simd, T: SimdBase<K>>(simd: K, values: &[T::Element], place: u32) -> Option<T> {
+    let place = place as usize;
+    Some(T::from_slice(simd, values.get(place..place + LANES)?))
 }
 
-impl TileStart {
-    /// The same pixels in the plane of another sample.
+/// Writes the values of a tile.
+#[inline(always)]
+pub(super) fn store<K: Simd, T: SimdBase<K>>(tile: T, values: &mut [T::Element], place: u32) {
+    let place = place as usize;
+    if let Some(values) = values.get_mut(place..place + LANES) {
+        tile.store_slice(values);
+    }
+}
+
+/// Counts of covered and of written samples, for the report.
+///
+/// A count for each pixel would cost as much as painting it. Here eight counters, one for each pixel of a tile, grow
+/// with one instruction, and are added up when a surface is done. Without a clock there are no counts at all.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counts {
+    /// Samples inside triangles.
+    pub(super) covered: u64,
+    /// Samples that nothing nearer has hidden.
+    pub(super) written: u64,
+    lanes: [[i32; LANES]; 2],
+}
+
+/// A kind of samples that is counted in lanes, by pixel of a tile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Covered,
+    Written,
+}
+
+impl Counts {
     #[inline(always)]
-    pub(super) fn plane(self, start: u32) -> Self {
-        Self { start: self.start.wrapping_add(start), ..self }
+    pub(super) fn add<K: Simd>(&mut self, simd: K, kind: Kind, mask: mask32x8<K>) {
+        let one = i32x8::splat(simd, 1);
+        let lanes = &mut self.lanes[kind as usize];
+        (i32x8::from_slice(simd, lanes) + mask.select(one, one - 1)).store_slice(lanes);
     }
 
-    /// The values of a tile. `None` outside of the array.
-    #[inline(always)]
-    pub(super) fn load<K: Simd, T: SimdBase<K> + SimdCombine<K>, const SQUARE: bool>(
-        self,
-        simd: K,
-        values: &[T::Element],
-    ) -> Option<T::Combined>
-    where
-        T::Combined: SimdBase<K, Element = T::Element>,
-    {
-        let (start, pitch) = (self.start as usize, self.pitch as usize);
-        Some(if SQUARE {
-            let (first, last) = (values.get(start..start + 4)?, values.get(start + pitch..start + pitch + 4)?);
-            T::from_slice(simd, first).combine(T::from_slice(simd, last))
-        } else {
-            T::Combined::from_slice(simd, values.get(start..start + LANES)?)
-        })
-    }
-
-    /// Writes the values of a tile.
-    #[inline(always)]
-    pub(super) fn store<K: Simd, T: SimdSplit<K> + SimdBase<K>, const SQUARE: bool>(
-        self,
-        tile: T,
-        values: &mut [T::Element],
-    ) where
-        T::Split: SimdBase<K, Element = T::Element>,
-    {
-        let (start, pitch) = (self.start as usize, self.pitch as usize);
-        if SQUARE {
-            let (first, last) = tile.split();
-            if let Some(values) = values.get_mut(start..start + 4) {
-                first.store_slice(values);
-            }
-            if let Some(values) = values.get_mut(start + pitch..start + pitch + 4) {
-                last.store_slice(values);
-            }
-        } else if let Some(values) = values.get_mut(start..start + LANES) {
-            tile.store_slice(values);
-        }
+    /// Adds up the lanes. Must be called before they overflow, after at most 2³¹ tiles.
+    pub(super) fn sum(&mut self) {
+        let [covered, written] =
+            std::mem::take(&mut self.lanes).map(|lanes| lanes.iter().map(|&n| n as u64).sum::<u64>());
+        self.covered += covered;
+        self.written += written;
     }
 }

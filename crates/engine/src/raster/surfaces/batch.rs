@@ -5,7 +5,7 @@
 //! of 32 bits and in single precision. The others go alone, through [`Triangle`](super::setup::Triangle). With a
 //! million triangles, gathering and set-up are half of the rasterizer's time even so. The table in
 //! [`fill`](super::fill) shows which triangle takes which path; the box of a triangle, the pixels whose samples it may
-//! own, decides: [`one`](Batch::one), [`few`](Batch::few), [`small`](Batch::small), or none of them.
+//! own, decides: [`one`](Batch::one), [`small`](Batch::small), or none of them.
 
 use std::ops::Range;
 
@@ -161,13 +161,6 @@ impl<K: Simd> Batch<K> {
         self.top[lane].max(band.start)..end
     }
 
-    /// The triangles that may own pixels only in this many columns and rows.
-    #[inline(always)]
-    pub(super) fn few(&self, side: u32) -> mask32x8<K> {
-        let end = side.cast_signed() + 1;
-        self.small & self.some & (self.right - self.left).simd_lt(end) & (self.bottom - self.top).simd_lt(end)
-    }
-
     /// One of them on its own.
     pub(super) fn alone(&self, lane: usize, positions: &[[f32; 3]], corners: [usize; 3]) -> Option<Triangle> {
         if self.some[lane] == 0 {
@@ -203,8 +196,6 @@ impl<K: Simd> Batch<K> {
         SetUp {
             turned,
             has_area: area.simd_gt(0),
-            left: self.left,
-            top,
             a,
             b,
             edges,
@@ -228,9 +219,6 @@ pub(super) struct SetUp<K: Simd> {
     /// Vertices 1 and 2 changed places.
     turned: mask32x8<K>,
     pub(super) has_area: mask32x8<K>,
-    /// The first pixel to be filled.
-    left: i32x8<K>,
-    pub(super) top: i32x8<K>,
     pub(super) a: [i32x8<K>; 3],
     pub(super) b: [i32x8<K>; 3],
     /// The edge functions at the centre of the first pixel, in steps².
@@ -244,13 +232,6 @@ impl<K: Simd> SetUp<K> {
     #[inline(always)]
     pub(super) fn own_first(&self) -> mask32x8<K> {
         (self.edges[0] | self.edges[1] | self.edges[2]).simd_gt(-1) & self.has_area
-    }
-
-    /// The centre of the first pixel, from the origin.
-    #[inline(always)]
-    pub(super) fn first(&self) -> [f32x8<K>; 2] {
-        let (left, top) = (self.left.to_float::<f32x8<K>>(), self.top.to_float::<f32x8<K>>());
-        [left + 0.5 - self.origin[0], top + 0.5 - self.origin[1]]
     }
 
     /// For each edge function of one triangle, the change to the right, the change down and the value at the first

@@ -9,15 +9,17 @@
 //!
 //! ## Which path takes which surface
 //!
-//! | surface | colours | tiny, 1 sample | small | any other |
-//! | --- | --- | --- | --- | --- |
-//! | one colour for a face, light in it | [`FlatColors`] | ≤ 4 × 4 pixels: [`TinyBatch`] | ≤ 32 × 128 pixels: [`Painter::small`] | [`Painter::wide`] |
-//! | opaque colours of vertices, light in them | [`GouraudColors`] | ≤ 4 × 4, if simple | if simple | and if not simple |
-//! | textures, light apart, translucent vertices | [`PerPixel`] | ≤ 11 × 11, if simple | if simple | and if not simple |
+//! | surface | colours | small | any other |
+//! | --- | --- | --- | --- |
+//! | one colour for a face, light in it | [`FlatColors`] | ≤ 32 × 128 pixels: [`Painter::small`] | [`Painter::wide`] |
+//! | opaque colours of vertices, light in them | [`GouraudColors`] | if simple | and if not simple |
+//! | textures, light apart, translucent vertices | [`PerPixel`] | if simple | and if not simple |
 //!
 //! *Simple* means that single precision is enough and perspective can be ignored ([`Colors::simple`]): no sliver with
-//! colours that vary, no colours of vertices that perspective bends. Small triangles of at most four columns are
-//! painted in square tiles, others in tiles of a row. Sixteen samples are painted as four times four.
+//! colours that vary, no colours of vertices that perspective bends. Sixteen samples are painted as four times four.
+//!
+//! Tiny triangles, of a few pixels, could be filled eight at a time, each in a lane of its own, and in square tiles.
+//! That pays only from some 100,000 triangles in a picture on, and not at all for 10,000.
 //!
 //! ## Which copies exist
 //!
@@ -28,7 +30,6 @@
 //! | vectors | AVX2, SSE 4.2 | plain numbers took 12 times as long to compile as SSE 4.2; such machines paint as the textbook does |
 //! | samples `S` | 1, 4 | the loop over samples vanishes with one; sixteen use four |
 //! | colours `C` | flat, Gouraud, per pixel | flat and Gouraud stay in registers; per pixel calls one function for each tile |
-//! | tile `SQUARE` | yes, no | small triangles only: half of the lanes of a row would be idle |
 //!
 //! These are twelve copies of [`all`], each a function of its own, called once for a surface in a band. In it
 //! everything is inlined, since vectors pass through memory from one function to another: without that, frames take 20
@@ -40,10 +41,8 @@ use std::ops::Range;
 use crate::drawing::{Base, Surface, SurfaceLight};
 use crate::simd::prelude::*;
 
-use super::band::{Band, TileStart};
+use super::band::{Band, Kind, load, store};
 use super::batch::{BATCH, Batch, corners, corners_at, gather_points};
-use super::counts::Kind;
-use super::few::{FEW, FEW_COSTLY, TinyBatch};
 use super::per_pixel::PerPixel;
 use super::setup::{AffineValue, Borders, ROWS, any, stored};
 use super::shade::{Colors, FlatColors, GouraudColors, Shader};
@@ -53,23 +52,17 @@ use crate::raster::pixel::{LANES, over};
 
 /// Fills some triangles of a surface, in the order of the list.
 #[inline(always)]
-pub(super) fn fill<K: Simd, const S: usize>(
-    simd: K,
-    band: &mut Band,
-    few: &mut TinyBatch,
-    surface: &Surface,
-    triangles: &[u32],
-) {
+pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &Surface, triangles: &[u32]) {
     match (&surface.base, &surface.light) {
         (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => {
-            all::<K, S, FEW, FlatColors<K>>(simd, band, few, surface, triangles);
+            all::<K, S, FlatColors<K>>(simd, band, surface, triangles);
         }
         (Base::Vertices(_), SurfaceLight::InBase) if !surface.translucent => {
-            all::<K, S, FEW, GouraudColors<K>>(simd, band, few, surface, triangles);
+            all::<K, S, GouraudColors<K>>(simd, band, surface, triangles);
         }
         (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase)
         | (_, SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_)) => {
-            all::<K, S, FEW_COSTLY, PerPixel<K>>(simd, band, few, surface, triangles);
+            all::<K, S, PerPixel<K>>(simd, band, surface, triangles);
         }
     }
     if let Some(counts) = &mut band.counts {
@@ -79,19 +72,17 @@ pub(super) fn fill<K: Simd, const S: usize>(
 
 /// Fills triangles in batches of eight, of which the small ones are set up together.
 #[inline(never)]
-fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
+fn all<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
-    few: &mut TinyBatch,
     surface: &'a Surface,
     triangles: &[u32],
 ) {
-    band.hides = surface.depth_test && !band.in_order && !band.depths.is_empty();
     simd.vectorize(
         #[inline(always)]
         || {
             for triangles in triangles.chunks(BATCH) {
-                eight::<K, S, SIDE, C>(simd, band, few, surface, triangles);
+                eight::<K, S, C>(simd, band, surface, triangles);
             }
         },
     );
@@ -99,10 +90,9 @@ fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
 
 /// Fills the eight triangles of a batch.
 #[inline(always)]
-fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
+fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
-    few: &mut TinyBatch,
     surface: &'a Surface,
     triangles: &[u32],
 ) {
@@ -114,32 +104,17 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     let colors = C::new(simd, surface, triangles, &corners, &set_up, S > 1);
     let depths = set_up.planes(&z);
     let small = batch.small & set_up.has_area & colors.simple();
-    let tiny = if S == 1 { batch.few(SIDE) & small } else { mask32x8::splat(simd, 0) };
-    // First the coverage of the tiny ones, for all eight at once. It's written below, one triangle after the other,
-    // because if two own the same pixel the first one in the list must come first.
-    if tiny.any_true() {
-        few.find::<K, SIDE, C>(tiny, &batch, &set_up, band, &depths, &colors);
-    }
     for l in 0..triangles.len() {
         let rows = batch.rows(l, &band.rows);
         if rows.start >= rows.end {
             continue;
         }
-        if tiny[l] != 0 {
-            // Its pixels were found above. They are few, so each is set on its own.
-            let start = band.place(rows.start, batch.left[l]).start;
-            band.set_each(surface, start, [depths.dx[l], depths.dy[l]], few.pixels::<K, SIDE, C>(l, band.pitch));
-        } else if small[l] != 0 {
+        if small[l] != 0 {
             // Its edge functions fit in 32 bits, so it's scanned tile by tile over its box.
             let columns = batch.left[l]..batch.right[l];
             let origin = [set_up.origin[0][l], set_up.origin[1][l]];
             let painter = Painter::<K, S, C::Simple>::new(simd, origin, depths.of(l), band, surface, colors.of(l));
-            // Four columns or fewer: a tile of two rows wastes less than one of eight columns.
-            if columns.end - columns.start <= 4 {
-                painter.small::<true>(band, columns, rows, &set_up.edges_of(l));
-            } else {
-                painter.small::<false>(band, columns, rows, &set_up.edges_of(l));
-            }
+            painter.small(band, columns, rows, &set_up.edges_of(l));
         } else {
             // It's large, a sliver, or has colours that perspective bends. Painted on its own, in 64 bits, row by row.
             let corners = corners_at(&corners, l);
@@ -158,28 +133,19 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     }
 }
 
-/// Columns of a tile that isn't `SQUARE`.
+/// Columns of a tile.
 const WIDTH: i32 = 8;
 
-/// Eight pixels that are worked on together: eight of a row, or, in a `SQUARE` tile, four of a row and the four below.
+/// Eight pixels of a row that are worked on together.
 #[derive(Clone, Copy)]
-struct Tile<K: Simd, const SQUARE: bool> {
+struct Tile<K: Simd> {
     columns: i32x8<K>,
-    rows: i32x8<K>,
 }
 
-impl<K: Simd, const SQUARE: bool> Tile<K, SQUARE> {
-    /// Rows from one tile to the next.
-    const HEIGHT: i32 = if SQUARE { 2 } else { 1 };
-
+impl<K: Simd> Tile<K> {
     #[inline(always)]
     fn new(simd: K) -> Self {
-        let (columns, rows) = if SQUARE {
-            ([0, 1, 2, 3, 0, 1, 2, 3], [0, 0, 0, 0, 1, 1, 1, 1])
-        } else {
-            ([0, 1, 2, 3, 4, 5, 6, 7], [0; LANES])
-        };
-        Self { columns: i32x8::from_slice(simd, &columns), rows: i32x8::from_slice(simd, &rows) }
+        Self { columns: i32x8::from_slice(simd, &[0, 1, 2, 3, 4, 5, 6, 7]) }
     }
 
     /// Distance of the centres to the right of the origin, when the tile begins at column `i`. Exact: multiples of
@@ -189,10 +155,10 @@ impl<K: Simd, const SQUARE: bool> Tile<K, SQUARE> {
         self.columns.to_float::<f32x8<K>>() + ((i as f32 + 0.5) - origin[0])
     }
 
-    /// Distance of the centres below the origin, when the tile begins at row `j`.
+    /// Distance of the centres below the origin, in row `j`.
     #[inline(always)]
     fn y(&self, j: i32, origin: [f32; 2]) -> f32x8<K> {
-        self.rows.to_float::<f32x8<K>>() + ((j as f32 + 0.5) - origin[1])
+        f32x8::splat(self.columns.witness(), (j as f32 + 0.5) - origin[1])
     }
 }
 
@@ -224,16 +190,10 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     }
 
     /// Fills a triangle by its edge functions, each given by its change to the right, its change down, and its value at
-    /// the centre of the first pixel. A `SQUARE` tile does for four columns at most.
+    /// the centre of the first pixel.
     #[inline(always)]
-    fn small<const SQUARE: bool>(
-        mut self,
-        band: &mut Band,
-        columns: Range<i32>,
-        rows: Range<i32>,
-        functions: &[[i32; 3]; 3],
-    ) {
-        let tile = Tile::<K, SQUARE>::new(self.simd);
+    fn small(mut self, band: &mut Band, columns: Range<i32>, rows: Range<i32>, functions: &[[i32; 3]; 3]) {
+        let tile = Tile::<K>::new(self.simd);
         // The functions in whole pixels (as in `Borders`) on the tile, and by how much they are greater at other
         // samples.
         let mut first_edges = [i32x8::splat(self.simd, 0); 3];
@@ -241,12 +201,11 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         for k in 0..3 {
             let [a, b, start] = functions[k];
             let first = (start + a * band.samples[0][0] + b * band.samples[0][1]) >> 8;
-            first_edges[k] = tile.columns * a + tile.rows * b + first;
+            first_edges[k] = tile.columns * a + first;
             for (more, sample) in more.iter_mut().zip(band.samples) {
                 more[k] = ((start + a * sample[0] + b * sample[1]) >> 8) - first;
             }
         }
-        let height = Tile::<K, SQUARE>::HEIGHT;
         let mut i = columns.start;
         // From the left to the right: eight columns, from above to below.
         while i < columns.end {
@@ -272,17 +231,17 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                     self.shader.rows(y);
                     let center = across + (y * self.z.dy + self.z.value);
                     if band.counts.is_some() {
-                        // Pixels beyond belong to the next band, or to none.
-                        own = tile.rows.simd_lt(rows.end - j) & tile.columns.simd_lt(band.size.width - i);
+                        // Pixels beyond belong to none.
+                        own = tile.columns.simd_lt(band.size.width - i);
                     }
-                    self.paint::<SQUARE>(place, band, center, &mut covered, own);
+                    self.paint(place, band, center, &mut covered, own);
                 }
                 for (edge, function) in edges.iter_mut().zip(functions) {
-                    *edge += function[1] * height;
+                    *edge += function[1];
                 }
-                y += height as f32;
-                place.start = place.start.wrapping_add(place.pitch * height as u32);
-                j += height;
+                y += 1.0;
+                place = place.wrapping_add(band.pitch);
+                j += 1;
             }
             for (edge, function) in first_edges.iter_mut().zip(functions) {
                 *edge += function[0] * WIDTH;
@@ -318,15 +277,15 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         if first >= last {
             return;
         }
-        let tile = Tile::<K, false>::new(self.simd);
+        let tile = Tile::<K>::new(self.simd);
         let y = tile.y(j, self.origin);
         self.shader.rows(y);
         let down = y * self.z.dy + self.z.value;
         let mut place = band.place(j, first);
         let mut columns = tile.columns + first;
         let mut x = tile.x(first, self.origin);
-        let end = place.start.wrapping_add((last - first) as u32);
-        while place.start < end {
+        let end = place.wrapping_add((last - first) as u32);
+        while place < end {
             let mut covered = [mask32x8::splat(self.simd, -1); S];
             for (covered, (&from, &to)) in covered.iter_mut().zip(from.iter().zip(to)) {
                 *covered = columns.simd_lt(to);
@@ -335,24 +294,17 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                 }
             }
             self.shader.columns(x);
-            self.paint::<false>(place, band, x * self.z.dx + down, &mut covered, mask32x8::splat(self.simd, -1));
+            self.paint(place, band, x * self.z.dx + down, &mut covered, mask32x8::splat(self.simd, -1));
             columns += WIDTH;
             x += LANES as f32;
-            place.start = place.start.wrapping_add(WIDTH.cast_unsigned());
+            place = place.wrapping_add(WIDTH.cast_unsigned());
         }
     }
 
     /// Paints the covered part of a tile. `center` has its depths at the centres of pixels, and `own` the pixels that
     /// are counted.
     #[inline(always)]
-    fn paint<const SQUARE: bool>(
-        &self,
-        place: TileStart,
-        band: &mut Band,
-        center: f32x8<K>,
-        covered: &mut [mask32x8<K>; S],
-        own: mask32x8<K>,
-    ) {
+    fn paint(&self, place: u32, band: &mut Band, center: f32x8<K>, covered: &mut [mask32x8<K>; S], own: mask32x8<K>) {
         if let Some(counts) = &mut band.counts {
             for covered in &*covered {
                 counts.add(self.simd, Kind::Covered, *covered & own);
@@ -363,20 +315,20 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             for (s, (covered, &step)) in (0..).zip(covered.iter_mut().zip(&self.depth_steps)) {
                 let z = if S == 1 { center } else { center + step };
                 let z = stored(z.max(self.z.low).min(self.z.high), self.greatest);
-                let place = place.plane(s * band.plane);
-                let Some(old) = place.load::<K, f32x4<K>, SQUARE>(self.simd, band.depths) else { return };
+                let place = place.wrapping_add(s * band.plane);
+                let Some(old) = load::<K, f32x8<K>>(self.simd, band.depths, place) else { return };
                 if !self.in_order {
                     *covered &= z.simd_gt(old);
                 }
                 if !self.translucent {
-                    place.store::<K, f32x8<K>, SQUARE>(covered.select(z, old), band.depths);
+                    store(covered.select(z, old), band.depths, place);
                 }
             }
             if !self.translucent
-                && let Some(old) = place.load::<K, u32x4<K>, SQUARE>(self.simd, band.slopes)
+                && let Some(old) = load::<K, u32x8<K>>(self.simd, band.slopes, place)
             {
                 let slope = u32x8::splat(self.simd, pack_slope(self.z.dx, self.z.dy));
-                place.store::<K, u32x8<K>, SQUARE>(covered[0].select(slope, old), band.slopes);
+                store(covered[0].select(slope, old), band.slopes, place);
             }
         }
         if let Some(counts) = &mut band.counts {
@@ -395,10 +347,10 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         }
         let colors = self.shader.colors(wanted);
         for (s, covered) in (0..).zip(&*covered) {
-            let place = place.plane(s * band.plane);
-            let Some(old) = place.load::<K, u32x4<K>, SQUARE>(self.simd, band.colors) else { return };
+            let place = place.wrapping_add(s * band.plane);
+            let Some(old) = load::<K, u32x8<K>>(self.simd, band.colors, place) else { return };
             let colors = if self.translucent { over(colors, old) } else { colors };
-            place.store::<K, u32x8<K>, SQUARE>(covered.select(colors, old), band.colors);
+            store(covered.select(colors, old), band.colors, place);
         }
     }
 }

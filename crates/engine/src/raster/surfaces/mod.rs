@@ -9,8 +9,6 @@
 mod band;
 mod batch;
 mod bins;
-mod counts;
-mod few;
 mod fill;
 mod filter;
 mod per_pixel;
@@ -30,12 +28,10 @@ use crate::raster::textbook;
 use crate::simd::{has_vectors, with_vectors};
 
 use crate::raster::depth::{BandDepth, DepthBuffer};
-use crate::raster::grid::{samples, samples_in};
+use crate::raster::grid::samples;
 use crate::raster::pixel::{LANES, Pixel, mean, premultiply};
-use band::Band;
+use band::{Band, Counts};
 use bins::Bins;
-use counts::Counts;
-use few::TinyBatch;
 use fill::fill;
 use setup::Size;
 
@@ -58,7 +54,6 @@ struct Scratch {
     colors: Vec<Pixel>,
     /// Depths of the samples if a pixel has more than one. Otherwise they go straight to the depth buffer.
     depths: Vec<f32>,
-    few: TinyBatch,
     counts: Counts,
 }
 
@@ -102,22 +97,22 @@ impl Surfaces {
         wanted: Wanted,
         progress: &Progress,
     ) {
-        let per_pixel = samples_in(drawing);
+        let samples = samples(drawing.antialias);
         let (width, height) = (drawing.width as usize, drawing.height as usize);
         let size = Size { width: drawing.width as i32, height: drawing.height as i32 };
-        let rows = 1 << (BAND_SAMPLES / per_pixel / (width + LANES)).clamp(BAND_ROWS.1, BAND_ROWS.0).ilog2();
+        let rows = 1 << (BAND_SAMPLES / samples.len() / (width + LANES)).clamp(BAND_ROWS.1, BAND_ROWS.0).ilog2();
         let bands = height.div_ceil(rows);
-        self.bins.sort(drawing, per_pixel > 1, size, rows, bands);
+        self.bins.sort(drawing, samples.len() > 1, size, rows, bands);
         let depth_test = drawing.surfaces.iter().any(|s| s.depth_test && !s.translucent);
         // A tile may reach eight pixels to the right of its first.
         let pitch = width.next_multiple_of(LANES) + LANES;
-        depth.reset([width, height], samples(per_pixel)[0], rows, pitch);
+        depth.reset([width, height], samples[0], rows, pitch);
         depth.step = drawing.depth_format.greatest().map_or(0.0, f32::recip);
         let frame = SharedByBands {
             drawing,
             bins: &self.bins,
             size,
-            samples: samples(per_pixel),
+            samples,
             rows,
             pitch,
             background: premultiply(drawing.background),
@@ -208,16 +203,15 @@ impl Scratch {
                 depths: depths.get_mut(set).unwrap_or_default(),
                 slopes: if k == 0 { slopes } else { &mut [] },
                 in_order: drawing.painted_in_order,
-                hides: false,
                 greatest: drawing.depth_format.greatest().unwrap_or(0.0),
                 counts: frame.want_counts.then_some(&mut self.counts),
             };
             for (surface, triangles) in frame.bins.band(job.band) {
                 let surface = &drawing.surfaces[surface];
                 if together == 1 {
-                    with_vectors!(simd => fill::<_, 1>(simd, &mut band, &mut self.few, surface, triangles), else ());
+                    with_vectors!(simd => fill::<_, 1>(simd, &mut band, surface, triangles), else ());
                 } else {
-                    with_vectors!(simd => fill::<_, 4>(simd, &mut band, &mut self.few, surface, triangles), else ());
+                    with_vectors!(simd => fill::<_, 4>(simd, &mut band, surface, triangles), else ());
                 }
             }
         }
@@ -282,14 +276,14 @@ mod tests {
         };
         let positions: Vec<[f32; 3]> = (0..12).flat_map(|k| (0..3).map(move |n| corner(k, n))).collect();
         let triangles: Vec<[u32; 3]> = (0..12).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
-        for antialias in [1, 4] {
+        for antialias in [crate::appearance::Samples::One, crate::appearance::Samples::Four] {
             let surfaces = vec![Surface::solid(positions.clone(), triangles.clone(), Rgba::rgb(9, 99, 200))];
             let drawing = Drawing { antialias, surfaces, ..Drawing::new(width, height, Rgba::rgb(255, 255, 255)) };
             let wanted = Wanted { slopes: true, counts: false };
             let (mut fast, mut plain) = (Pixmap::new(width, height).unwrap(), Pixmap::new(width, height).unwrap());
             let (mut fast_depth, mut plain_depth) = (DepthBuffer::default(), DepthBuffer::default());
             at_once(Surfaces::default().paint(&drawing, &mut fast, &mut fast_depth, wanted, &Progress::default()));
-            let samples = samples(samples_in(&drawing));
+            let samples = samples(drawing.antialias);
             plain_depth.reset([90, 75], samples[0], 16, 104);
             paint_plainly(&drawing, &mut plain, &mut plain_depth, true);
             assert_eq!(fast.data(), plain.data());

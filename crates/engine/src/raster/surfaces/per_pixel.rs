@@ -2,8 +2,8 @@
 //!
 //! The standard way interpolates each attribute divided by w. There are up to sixteen: normal, position, coordinates,
 //! colour, light, place in a shadow map. Here the share of each vertex in a pixel is computed once, with one division,
-//! and every attribute is the sum of its three values with these shares. Each lane has attributes of its own: one pixel
-//! each of eight tiny triangles, or eight pixels of one triangle, whose attributes are then the same in all lanes.
+//! and every attribute is the sum of its three values with these shares. Eight triangles are set up together. Each is
+//! then painted on its own, eight pixels at a time, with the same attributes in all lanes.
 
 use crate::appearance::{LightShare, TextureReveal};
 use crate::drawing::{Base, BlockedLight, Lighting, Shadow, Surface, SurfaceLight};
@@ -316,7 +316,6 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
 }
 
 impl<'a, K: Simd> Colors<'a, K> for PerPixel<'a, K> {
-    const COSTLY: bool = true;
     type Simple = Self;
     type Shader = Self;
 
@@ -341,11 +340,6 @@ impl<'a, K: Simd> Colors<'a, K> for PerPixel<'a, K> {
     #[inline(always)]
     fn simple(&self) -> mask32x8<K> {
         self.simple
-    }
-
-    #[inline(always)]
-    fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K> {
-        self.colors_at(wanted, x, y)
     }
 
     #[inline(always)]

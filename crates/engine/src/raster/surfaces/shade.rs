@@ -27,8 +27,6 @@ pub(super) trait Shader<K: Simd> {
 
 /// The shaders of a batch of triangles.
 pub(super) trait Colors<'a, K: Simd>: Sized {
-    /// A colour costs more than a test of whether anything lies before it.
-    const COSTLY: bool = false;
     /// The shader of one of the batch.
     type Simple: Shader<K>;
     /// The shader of a triangle on its own.
@@ -45,8 +43,6 @@ pub(super) trait Colors<'a, K: Simd>: Sized {
     ) -> Self;
     /// The triangles that the batch can paint. The others must be painted on their own.
     fn simple(&self) -> mask32x8<K>;
-    /// The colour of each at a point relative to its origin. Only those wanted need be right.
-    fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K>;
     /// The shader of one.
     fn of(&self, lane: usize) -> Self::Simple;
     /// The shader of a triangle of any kind. `None` if the surface has no colours for it.
@@ -113,11 +109,6 @@ impl<'a, K: Simd> Colors<'a, K> for FlatColors<K> {
     #[inline(always)]
     fn simple(&self) -> mask32x8<K> {
         self.present
-    }
-
-    #[inline(always)]
-    fn at(&self, _wanted: mask32x8<K>, _x: f32x8<K>, _y: f32x8<K>) -> u32x8<K> {
-        self.colors
     }
 
     #[inline(always)]
@@ -279,12 +270,6 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
     #[inline(always)]
     fn simple(&self) -> mask32x8<K> {
         self.simple
-    }
-
-    #[inline(always)]
-    fn at(&self, _wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K> {
-        let [r, g, b] = &self.planes;
-        pack(round(r.at(x, y)), round(g.at(x, y)), round(b.at(x, y)))
     }
 
     #[inline(always)]

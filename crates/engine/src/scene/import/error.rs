@@ -2,17 +2,18 @@
 
 use super::soup::TooLarge;
 use crate::limits::MAX_OBJECTS;
-use crate::scene::ReadError;
-use crate::scene::TextureError;
+use crate::scene::{ReadError, TextureError};
 
 /// The reason why a mesh file can't be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MeshError {
     /// The file couldn't be read.
     #[error(transparent)]
     Unreadable(Box<ReadError>),
     /// The extension of its name is unknown.
-    #[error("the format is not known; allowed: a name that ends in .obj, .gltf or .glb")]
+    #[cfg_attr(feature = "import", error("the format is not known; allowed: a name that ends in .obj, .gltf or .glb"))]
+    #[cfg_attr(not(feature = "import"), error("the format is not known; allowed: a name that ends in .obj"))]
     Format,
     /// Reading was cancelled.
     #[error("reading was cancelled")]
@@ -80,6 +81,7 @@ impl From<TooLarge> for MeshError {
 
 /// A fault in a line of an OBJ file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ObjFault {
     /// Not a finite number.
     #[error("\"{found}\" is not a finite number")]
@@ -112,6 +114,7 @@ pub enum ObjFault {
 /// A part of a mesh file that was left out, or read otherwise than written, because other programs write it so. The
 /// surface is the same.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MeshNotice {
     /// Corners of faces name normals or texture coordinates that don't exist. One of them is reported.
     #[error(
@@ -160,6 +163,7 @@ pub enum MeshNotice {
 
 /// A fault in the JSON of a glTF file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum JsonFault {
     /// No JSON from here on.
     #[error("this is not JSON")]
@@ -180,6 +184,7 @@ pub enum JsonFault {
 
 /// A fault in the frame of a GLB file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum GlbFault {
     /// The twelve bytes at its start.
     #[error("its header is truncated or gives a wrong length")]
@@ -197,6 +202,7 @@ pub enum GlbFault {
 
 /// A fault in a glTF file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum GltfFault {
     /// The frame of a GLB file is broken.
     #[error("not a valid GLB file: {fault}")]

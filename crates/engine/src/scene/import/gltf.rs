@@ -23,11 +23,10 @@ use crate::appearance::{Filter, Rgba, Sampler, Texture, Wrap};
 use crate::limits::{MAX_OBJECTS, MAX_SCENE_BYTES, MAX_ZEROS};
 use crate::progress::{Activity, Progress, pause};
 use crate::sanitize::{self, escaped};
-use crate::scene::Mesh;
 use crate::scene::mesh::polygon::Triangulator;
 use crate::scene::read_error::Beside;
 use crate::scene::texture::{Alpha, CornerUv, Textures};
-use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, TextureError};
+use crate::scene::{GlbFault, GltfFault, JsonFault, Mesh, MeshError, MeshNotice, TextureError};
 
 /// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.
 ///

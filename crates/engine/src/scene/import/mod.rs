@@ -1,6 +1,7 @@
 //! Mesh files: the choice of their reader, and a cache of the read ones.
 
 mod error;
+#[cfg(feature = "import")]
 mod gltf;
 mod obj;
 mod part;
@@ -17,7 +18,7 @@ pub use error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault}
 pub use part::{Imported, Part, PartTexture};
 
 /// The extensions of mesh files.
-pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
+pub const MESH_ENDINGS: &[&str] = if cfg!(feature = "import") { &["obj", "gltf", "glb"] } else { &["obj"] };
 
 /// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN). A material
 /// library that can't be read is left out, and its materials then have no colour. Pauses after each stretch of the
@@ -35,6 +36,7 @@ pub async fn import(
     let mut beside = |name: &str| read_file(Wanted { path: &companion(path, name), named_by: Some(path) });
     let imported = match ending.as_deref() {
         Some("obj") => obj::read(bytes, &mut beside, progress).await?,
+        #[cfg(feature = "import")]
         Some("gltf" | "glb") => gltf::read(bytes, &mut beside, progress).await?,
         _ => return Err(MeshError::Format),
     };

@@ -10,6 +10,7 @@ use glam::DVec3;
 use crate::geometry::try_unit;
 use crate::limits::MAX_VERTICES;
 use crate::scene::mesh::Mesh;
+#[cfg(feature = "import")]
 use crate::scene::mesh::adjacency::places;
 use crate::scene::mesh::polygon::{self, Triangulator};
 use crate::scene::texture::CornerUv;
@@ -47,6 +48,7 @@ pub(crate) struct TooLarge;
 
 impl Soup {
     /// Merges points with equal coordinates, because some formats repeat a point for each of its normals.
+    #[cfg(feature = "import")]
     pub(crate) fn weld(&mut self) {
         let first_of = places(&self.positions);
         if self.corner_normals.is_empty() && !self.normals.is_empty() {

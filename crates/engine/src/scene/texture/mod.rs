@@ -1,14 +1,16 @@
 //! Textures of objects: where they come from, and how they lie on the surfaces.
 
 mod builtin;
+#[cfg(feature = "import")]
 mod decode;
+mod textures;
 mod unwrap;
 
 use std::sync::Arc;
 
 use super::{Mesh, TextureSource};
-pub(super) use decode::{Alpha, Textures};
-pub use decode::{TextureError, TextureFault};
+pub(super) use textures::{Alpha, Textures};
+pub use textures::{TextureError, TextureFault};
 pub(super) use unwrap::{mapped, split};
 
 /// Texture coordinates of the corners of each triangle: (0, 0) at the top left of the picture.

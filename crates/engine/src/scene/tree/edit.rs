@@ -10,9 +10,8 @@ use glam::{DMat3, DMat4, DVec3, EulerRot};
 use super::presets;
 use super::resolve::{by_name, parent_from_object, place};
 use crate::appearance::Theme;
-use crate::scene::SceneError;
 use crate::scene::palette::SceneColors;
-use crate::scene::{ObjectSpec, Preset, SceneSpec};
+use crate::scene::{ObjectSpec, Preset, SceneError, SceneSpec};
 
 /// The fate of the children of a removed object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

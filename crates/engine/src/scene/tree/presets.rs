@@ -6,9 +6,10 @@ use std::sync::Arc;
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
-use crate::scene::marks::{point_mark, point_name};
 use crate::scene::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILION, YELLOW};
-use crate::scene::{Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
+use crate::scene::{
+    Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, point_mark, point_name, primitives,
+};
 
 /// A feature of a preset that a list of objects can't express.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

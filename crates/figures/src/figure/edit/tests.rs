@@ -1,7 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
-use crate::appearance::{Filter, HiddenLines, Rgba, Style, TextureReveal, Theme, Wrap};
+use crate::appearance::{Filter, HiddenLines, Rgba, Samples, Style, TextureReveal, Theme, Wrap};
 use crate::camera::{Decomposition, ImageSize, Ndc, Operation, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{
     ARRANGEMENTS, DEPTH_FORMATS, DIMENSIONS, MEASURE_TEXTS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES, SHADINGS,
@@ -108,7 +108,7 @@ fn figure() -> impl Strategy<Value = Figure> {
         shading,
         visibility,
         hidden_lines: HiddenLines::Shown,
-        antialias: 16,
+        antialias: Samples::Sixteen,
         theme: Theme::Dark,
         depth_format,
     });
@@ -475,7 +475,7 @@ fn forms_that_others_use_are_edited_in_place() {
 #[test]
 fn line_ends_of_windows_stay() {
     let mut figure = read::parse(OTHER_FORMS[3]).unwrap();
-    figure.style.antialias = 1;
+    figure.style.antialias = Samples::One;
     figure.camera.near = 0.75;
     let edited = update(OTHER_FORMS[3], &figure);
     assert!(edited.contains("near = 0.75") && edited.contains("# one"), "{edited}");

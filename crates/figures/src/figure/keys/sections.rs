@@ -9,7 +9,7 @@ use crate::figure::error::{Allowed, Problem};
 use crate::figure::points::may_be_named;
 use crate::figure::read::Section;
 use crate::figure::value::{
-    ANGLE, POSITIVE, SWITCH, TEXT, VECTOR, angle_in, integer_in, integers, number_in, write_told,
+    ANGLE, POSITIVE, SAMPLES, SWITCH, TEXT, VECTOR, angle_in, integer_in, number_in, write_told,
 };
 use crate::figure::words::{
     self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PICTURES, PROJECTIONS, SCREEN_MATRICES,
@@ -141,7 +141,7 @@ fn style(keys: &mut Keys<'_>, style: &mut Style) {
     keys.word("shading", SHADINGS, &mut style.shading);
     keys.word("visibility", VISIBILITIES, &mut style.visibility);
     keys.word("hidden_lines", HIDDEN_LINES, &mut style.hidden_lines);
-    keys.key("antialias", &integers(&[1, 4, 16]), &mut style.antialias);
+    keys.key("antialias", &SAMPLES, &mut style.antialias);
     keys.word("theme", THEMES, &mut style.theme);
     keys.rare_word("depth_format", DEPTH_FORMATS, &mut style.depth_format);
 }

@@ -135,7 +135,7 @@ fn every_key_is_read() {
     assert_eq!(figure.scene.lights, [Light::point(DVec3::new(1.0, 2.0, 3.0))]);
     let points: Vec<_> = figure.points.iter().map(|p| (p.name.as_str(), p.position)).collect();
     assert_eq!(points, [("P", DVec3::new(0.5_f64.sqrt(), 2.0, -1.0)), ("Q", DVec3::ZERO)]);
-    assert_eq!(figure.style.antialias, 16);
+    assert_eq!(figure.style.antialias, crate::appearance::Samples::Sixteen);
     let all = Reveal {
         depth: Depth::Linear,
         outside: Outside::Tinted,

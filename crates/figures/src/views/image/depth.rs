@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::appearance::{Rgba, Shading, Style, Visibility};
+use crate::appearance::{Rgba, Samples, Shading, Style, Visibility};
 use crate::camera::{Camera, Projected, Projection};
 use crate::drawing::{Base, Drawing, Surface};
 use crate::figure::Depth;
@@ -64,7 +64,7 @@ impl DepthTest {
         let options = Options { followed: Some((object, triangle)), depth_of_volume: true, ..Options::default() };
         let image = request.shot.look.image;
         let target = Target { width: image.width, height: image.height, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
-        let style = Style { antialias: 1, ..style(&request.shot.look.style) };
+        let style = Style { antialias: Samples::One, ..style(&request.shot.look.style) };
         let frame = Pipeline::default().frame(&scene, &request.camera, target, &style, options);
         let followed = frame.followed?;
         let mut drawing = Drawing { strokes: Vec::new(), marks: Vec::new(), labels: Vec::new(), ..frame.drawing };
@@ -133,8 +133,7 @@ impl Greys {
             Depth::Linear => None,
         };
         let camera = &request.camera;
-        let perspective = camera.projection() == Projection::Perspective;
-        let volume = DepthScale::of_volume(perspective, camera.near(), camera.far());
+        let volume = DepthScale::of_volume(camera.projection(), camera.near(), camera.far());
         Some(Self { near_over_far: near_over_far(camera), volume, range })
     }
 

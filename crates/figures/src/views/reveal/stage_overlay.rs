@@ -93,7 +93,7 @@ fn before(
         }
         Stage::Shadow => before.surfaces.iter_mut().for_each(|surface| surface.shadows.clear()),
         Stage::Blend => before.surfaces.iter_mut().filter(|s| s.translucent).for_each(Surface::make_opaque),
-        Stage::Antialias => before.antialias = 1,
+        Stage::Antialias => before.antialias = crate::appearance::Samples::One,
         Stage::Lines => {
             before.strokes.clear();
             before.marks.clear();

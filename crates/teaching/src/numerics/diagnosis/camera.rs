@@ -50,10 +50,7 @@ const fn cause(error: &CameraError) -> Cause {
             Cause::NearBeyondFar
         }
         CameraError::OutOfRange { key: Checked::Parameter(ParameterKey::ViewAngle), .. } => Cause::ViewAngleRange,
-        CameraError::OutOfRange { .. }
-        | CameraError::WindowWidth { .. }
-        | CameraError::WindowHeight { .. }
-        | CameraError::Overflow { .. } => Cause::CameraValue,
+        _ => Cause::CameraValue,
     }
 }
 

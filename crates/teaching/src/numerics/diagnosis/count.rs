@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::appearance::{DepthFormat, Rgba, Shading, Style, Visibility};
+use crate::appearance::{DepthFormat, Rgba, Samples, Shading, Style, Visibility};
 use crate::camera::{Camera, ImageSize, Projection};
 use crate::pipeline::{ObjectReport, Options, OverBudget, Pipeline, Scenes, Target};
 use crate::raster::Rasterizer;
@@ -83,7 +83,7 @@ impl Counter {
     ) -> Option<Painted> {
         let clear = Rgba::rgba(0, 0, 0, 0);
         let target = Target { width: image.width, height: image.height, scale: 1.0, background: clear };
-        let style = Style { antialias: 1, ..*style };
+        let style = Style { antialias: Samples::One, ..*style };
         // As in the image: whole numbers of a format are shares of the range from F to B.
         let depth_of_volume = style.depth_format != DepthFormat::Float;
         let options = Options { depth_of_volume, ..Options::default() };

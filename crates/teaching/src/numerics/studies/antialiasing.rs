@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 
 use super::figure_with;
 use super::painter::{Painter, flat};
-use crate::appearance::{Rgba, Style, Visibility};
+use crate::appearance::{Rgba, Samples, Style, Visibility};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::numbers::random::Random;
 use crate::numerics::measure::{Off, Trial, Watch, bits_off};
@@ -41,7 +41,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
                 setups.extend(Setup::new(&mut random, size, thin));
                 pause().await;
             }
-            let measure = |method: &Samples, input, setup: &Setup, trial: &mut Trial| {
+            let measure = |method: &Way, input, setup: &Setup, trial: &mut Trial| {
                 let coverage = method.coverage(setup, trial, &watch);
                 setup.judge(input, &coverage, trial);
             };
@@ -143,25 +143,25 @@ fn covered(triangle: &Triangle, i: u32, j: u32) -> f64 {
 }
 
 #[derive(Clone, Copy)]
-enum Samples {
+enum Way {
     /// The program's drawing with this number of samples.
-    Program(u8),
+    Program(Samples),
     /// The program's drawing by default.
     Own,
     /// A grid with this number of samples in a row and column, at even distances.
     Grid(u32),
 }
 
-const METHODS: [(&str, Samples); 6] = [
-    ("1 sample", Samples::Program(1)),
-    ("4 samples", Samples::Program(4)),
-    ("16 samples", Samples::Program(16)),
-    ("16 samples on a grid", Samples::Grid(4)),
-    ("64 samples on a grid", Samples::Grid(8)),
-    (OWN, Samples::Own),
+const METHODS: [(&str, Way); 6] = [
+    ("1 sample", Way::Program(Samples::One)),
+    ("4 samples", Way::Program(Samples::Four)),
+    ("16 samples", Way::Program(Samples::Sixteen)),
+    ("16 samples on a grid", Way::Grid(4)),
+    ("64 samples on a grid", Way::Grid(8)),
+    (OWN, Way::Own),
 ];
 
-impl Samples {
+impl Way {
     fn coverage(self, setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<f64> {
         match self {
             Self::Program(antialias) => painted(setup, &flat(Visibility::DepthBuffer, antialias), trial, watch),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use crate::appearance::{Rgba, Shading, Style, Visibility};
+use crate::appearance::{Rgba, Samples, Shading, Style, Visibility};
 use crate::camera::Camera;
 use crate::pipeline::{Options, Pipeline, Target};
 use crate::raster::Rasterizer;
@@ -37,7 +37,7 @@ impl Painter {
 }
 
 /// Faces in their own colours, without light and lines.
-pub(super) fn flat(visibility: Visibility, antialias: u8) -> Style {
+pub(super) fn flat(visibility: Visibility, antialias: Samples) -> Style {
     Style { shading: Shading::Flat, visibility, antialias, ..Style::default() }
 }
 

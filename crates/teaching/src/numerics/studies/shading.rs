@@ -9,7 +9,7 @@ use std::mem::size_of;
 use glam::DVec3;
 
 use super::painter::{Painter, object};
-use crate::appearance::{Rgba, Shading, Style};
+use crate::appearance::{Rgba, Samples, Shading, Style};
 use crate::camera::{Camera, Parameters};
 use crate::figure::{Figure, write};
 use crate::numerics::chain::{Vector, basis, window};
@@ -173,7 +173,7 @@ impl Setup {
 
     fn painted(&self, segments: u32, shading: Shading, trial: &mut Trial, watch: &Watch) -> Vec<Rgba> {
         let scene = self.scene(segments);
-        let style = Style { shading, antialias: 1, ..Style::default() };
+        let style = Style { shading, antialias: Samples::One, ..Style::default() };
         let mut painter = Painter::default();
         let mut pixels = Vec::new();
         trial.time_whole(watch, self.exact.len(), || {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::painter::{Painter, flat, object};
-use crate::appearance::{Filter, Rgba, Sampler, Style, Texture, Visibility};
+use crate::appearance::{Filter, Rgba, Sampler, Samples, Style, Texture, Visibility};
 use crate::camera::{Camera, ImageSize, Parameters};
 use crate::figure::{Figure, write};
 use crate::numbers::random::Random;
@@ -210,8 +210,8 @@ impl Setup {
     /// The light of each pixel, 0 … 1.
     fn light(&self, way: Way, chequer: &Arc<Texture>, trial: &mut Trial, watch: &Watch) -> Vec<f64> {
         let (samples, finer) = match way {
-            Way::One(_) => (1, 1),
-            Way::Sixteen => (1, 4),
+            Way::One(_) => (Samples::One, 1),
+            Way::Sixteen => (Samples::One, 4),
             Way::Own => (Style::default().antialias, 1),
         };
         let (filter, style) = (way.filter(), flat(Visibility::default(), samples));
@@ -324,7 +324,8 @@ mod tests {
             let setup = at_once(Setup::new(tilt, scale, DVec2::new(0.3, 0.7))).expect("a camera");
             let figure = parse(&setup.figure(Way::One(Filter::Nearest))).expect("a figure");
             let scene = build(&figure.scene, &figure.style, &mut no_files).expect("a scene");
-            let pixels = Painter::default().paint(&scene, &setup.camera, SIZE, &flat(Visibility::default(), 1));
+            let pixels =
+                Painter::default().paint(&scene, &setup.camera, SIZE, &flat(Visibility::default(), Samples::One));
             let is_wrong = |(i, j): (u32, u32)| {
                 let place = setup.place([f64::from(i) + 0.5, f64::from(j) + 0.5]).expect("the floor");
                 // Within a hundredth of a square of its sides, either square may be hit.

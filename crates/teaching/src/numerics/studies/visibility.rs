@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::figure_with;
 use super::painter::{Painter, flat, triangle};
-use crate::appearance::{Rgba, Visibility};
+use crate::appearance::{Rgba, Samples, Visibility};
 use crate::camera::{Camera, Parameters, Projection};
 use crate::numbers::random::Random;
 use crate::numerics::chain::Vector;
@@ -229,7 +229,7 @@ const METHODS: [(&str, Seen); 5] = [
 /// The program's own picture. The time is that of a pixel of the whole picture.
 fn picture(setup: &Setup, visibility: Visibility, trial: &mut Trial, watch: &Watch) -> Vec<Option<usize>> {
     let mut painter = Painter::default();
-    let style = flat(visibility, 1);
+    let style = flat(visibility, Samples::One);
     let mut pixels = Vec::new();
     trial.time_whole(watch, setup.rays.len(), || {
         pixels = painter.paint(&setup.scene, &setup.camera, SIZE, &style);

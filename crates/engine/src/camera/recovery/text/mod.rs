@@ -4,14 +4,15 @@
 //! form is a list of numbers under names (`K =`, `R:`, `P2:`), as programs print them. The names and counts say which
 //! is which.
 
-mod colmap;
+#[cfg(feature = "import")]
 mod gltf;
+#[cfg(feature = "import")]
 mod json;
+mod lines;
 pub(crate) mod numbers;
 mod paraview;
-mod trajectory;
-mod values;
 mod words;
+#[cfg(feature = "import")]
 mod yaml;
 
 use glam::{DMat3, DMat4, DVec3};
@@ -43,6 +44,7 @@ pub(crate) enum GivenLens {
     /// K in pixels.
     Pixels { focal_lengths: [f64; 2], principal_point: [f64; 2] },
     /// The angle from left to right, in radians.
+    #[cfg_attr(not(feature = "import"), expect(dead_code, reason = "only nerfstudio has it"))]
     AngleX(f64),
     /// The angle from bottom to top in degrees. Missing values stay.
     AngleY { degrees: f64, aspect: Option<f64>, near: Option<f64>, far: Option<f64> },
@@ -52,6 +54,7 @@ pub(crate) enum GivenLens {
 
 /// The reason why a text holds no camera.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MatrixTextError {
     /// Another count of numbers.
     #[error("{0} numbers; a matrix has 16, four rows of four, or 12: K [R | t], or 9: K, or 7: a quaternion and t")]
@@ -119,23 +122,26 @@ impl GivenLens {
 /// # Errors
 /// [`MatrixTextError`] if there is none.
 pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
+    #[cfg(feature = "import")]
     if bytes.starts_with(b"glTF") {
         return gltf::of_glb(bytes);
     }
     let text = std::str::from_utf8(bytes).map_err(|_| MatrixTextError::NotText)?;
     let text = text.trim_start_matches('\u{feff}');
-    if let Some(cameras) = colmap::cameras(text) {
+    if let Some(cameras) = lines::colmap(text) {
         return Ok(cameras);
     }
-    if let Some(poses) = trajectory::cameras(text) {
+    if let Some(poses) = lines::trajectory(text) {
         return Ok(poses);
     }
     if let Some(camera) = paraview::camera(text) {
         return Ok(vec![camera]);
     }
+    #[cfg(feature = "import")]
     if let Ok(value) = serde_json::from_str(text) {
         return json::cameras(&value, text);
     }
+    #[cfg(feature = "import")]
     if let Some(cameras) = yaml::cameras(text) {
         return Ok(cameras);
     }
@@ -150,9 +156,8 @@ impl MatrixEntries {
     /// Reads a single matrix of seven (a quaternion and t), nine (K, or C, PF and VUP), twelve or sixteen numbers, as
     /// any program prints it.
     ///
-    /// ```
-    /// # use camera_lab_engine::camera::MatrixEntries;
-    /// let blender = "<Matrix 4x4 (1.0, 0.0, 0.0, 7.0)\n(0.0, 1.0, 0.0, 8.0)\n(0.0, 0.0, 1.0, 9.0)\n(0.0, 0.0, 0.0, 1.0)>";
+    /// ``` # use camera_lab_engine::camera::MatrixEntries; let blender = "<Matrix 4x4 (1.0, 0.0, 0.0, 7.0)\n(0.0, 1.0,
+    /// 0.0, 8.0)\n(0.0, 0.0, 1.0, 9.0)\n(0.0, 0.0, 0.0, 1.0)>";
     /// assert_eq!(MatrixEntries::read(blender)?.matrix(false).w_axis.z, 9.0);
     /// # Ok::<(), camera_lab_engine::camera::MatrixTextError>(())
     /// ```

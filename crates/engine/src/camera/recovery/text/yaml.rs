@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 use crate::camera::ImageSize;
 use crate::camera::recovery::entries::MatrixEntries;
 use crate::camera::recovery::text::json::written;
-use crate::camera::recovery::text::values::{list, number};
+use crate::camera::recovery::text::json::{list, number};
 use crate::camera::recovery::text::{GivenLens, Pasted, VISION, image_size, is_intrinsics, of_rotation, rotation_of};
 use crate::camera::recovery::{Axes, MatrixKind, Order};
 
@@ -46,23 +46,40 @@ fn named(name: &str, mut cameras: Vec<Pasted>) -> Vec<Pasted> {
     cameras
 }
 
+/// The matrices that these programs write, by rows and in the axes of `OpenCV`: the key, the count of numbers, the
+/// kind.
+const MATRICES: [(&str, usize, MatrixKind); 12] = [
+    ("projection_matrix", 12, MatrixKind::Pinhole),
+    ("P", 12, MatrixKind::Pinhole),
+    ("p", 12, MatrixKind::Pinhole),
+    ("P0", 12, MatrixKind::Pinhole),
+    ("P1", 12, MatrixKind::Pinhole),
+    ("P2", 12, MatrixKind::Pinhole),
+    ("P3", 12, MatrixKind::Pinhole),
+    ("Pr", 12, MatrixKind::Pinhole),
+    ("T_BS", 16, MatrixKind::CameraToWorld),
+    ("T_cam_imu", 16, MatrixKind::View),
+    ("T_cn_cnm1", 16, MatrixKind::View),
+    ("T_imu_cam", 16, MatrixKind::CameraToWorld),
+];
+
 /// The cameras of a map: the matrices of a projection, else K with a pose or alone.
 fn of_map(map: &Value) -> Vec<Pasted> {
-    let image = image(map);
-    let lens = lens(map);
-    let projections: Vec<(&str, Vec<f64>)> = ["projection_matrix", "P", "p", "P0", "P1", "P2", "P3", "Pr"]
-        .into_iter()
-        .filter_map(|key| Some((key, matrix(map, &[key], 12)?)))
-        .collect();
-    // One of zeros stands for no rectification.
-    let projections = projections.into_iter().filter(|(_, p)| p.iter().any(|x| *x != 0.0));
-    let whole = projections.filter_map(|(key, p)| {
-        let entries = MatrixEntries::new(p.into_iter().map(written).collect(), Some(4))?;
-        Some(Pasted { image, ..pose(key, entries, MatrixKind::Pinhole, key) })
-    });
-    let mut found: Vec<Pasted> = whole.collect();
-    if found.len() == 1 {
-        found[0].name.clear();
+    let (image, lens) = (image(map), lens(map));
+    let camera = |name: &str, word: &'static str, kind: MatrixKind, numbers: Vec<f64>| {
+        let in_line = if numbers.len() == 9 { 3 } else { 4 };
+        let entries = MatrixEntries::new(numbers.into_iter().map(written).collect(), Some(in_line))?;
+        Some(Pasted { image, ..Pasted::pose(name, entries, kind, Axes::OPENCV, (Order::Rows, word)) })
+    };
+    let with = |count: usize| {
+        let rows = MATRICES.iter().filter(move |row| row.1 == count);
+        rows.filter_map(|&(key, count, kind)| Some((key, kind, matrix(map, &[key], count)?)))
+    };
+    // A projection of zeros stands for no rectification.
+    let projections = with(12).filter(|(_, _, p)| p.iter().any(|x| *x != 0.0));
+    let mut found: Vec<Pasted> = projections.filter_map(|(key, kind, p)| camera(key, key, kind, p)).collect();
+    if let [only] = &mut found[..] {
+        only.name.clear();
     }
     if !found.is_empty() {
         return found;
@@ -70,32 +87,17 @@ fn of_map(map: &Value) -> Vec<Pasted> {
     if let Some(entries) = rigid(map).filter(|_| lens.is_some() || map.get("rvec").is_some()) {
         return vec![Pasted { lens, image, word: Some(VISION), ..Pasted::new("", entries) }];
     }
-    let poses = [
-        ("T_BS", MatrixKind::CameraToWorld),
-        ("T_cam_imu", MatrixKind::View),
-        ("T_cn_cnm1", MatrixKind::View),
-        ("T_imu_cam", MatrixKind::CameraToWorld),
-    ];
-    let posed = poses.into_iter().find_map(|(key, kind)| Some((key, kind, matrix(map, &[key], 16)?)));
-    if let (Some(_), Some((key, kind, numbers))) = (lens, posed)
-        && let Some(entries) = MatrixEntries::new(numbers.into_iter().map(written).collect(), Some(4))
+    if lens.is_some()
+        && let Some((key, kind, numbers)) = with(16).next()
+        && let Some(pose) = camera("", key, kind, numbers)
     {
-        return vec![Pasted { lens, image, ..pose("", entries, kind, key) }];
+        return vec![Pasted { lens, ..pose }];
     }
     let alone = matrix(map, &INTRINSICS, 9).filter(|k| is_intrinsics(k));
-    if let Some(k) = alone
-        && let Some(entries) = MatrixEntries::new(k.into_iter().map(written).collect(), Some(3))
-    {
-        return vec![Pasted { image, ..pose("", entries, MatrixKind::Intrinsics, "camera_matrix") }];
+    if let Some(alone) = alone.and_then(|k| camera("", "camera_matrix", MatrixKind::Intrinsics, k)) {
+        return vec![alone];
     }
     lens.map(|lens| Pasted::lens("", lens, image)).into_iter().collect()
-}
-
-/// A camera in the axes of `OpenCV`, by rows.
-fn pose(name: &str, entries: MatrixEntries, kind: MatrixKind, key: &str) -> Pasted {
-    let words = ["projection_matrix", "P", "p", "P0", "P1", "P2", "P3", "Pr", "T_BS", "T_cam_imu", "T_cn_cnm1"];
-    let word = words.into_iter().find(|word| *word == key).unwrap_or("camera_matrix");
-    Pasted::pose(name, entries, kind, Axes::OPENCV, (Order::Rows, word))
 }
 
 /// The names of K. With two cameras, R and T lead to the second one.

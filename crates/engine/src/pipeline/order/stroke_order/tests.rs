@@ -1,7 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
-use crate::appearance::{Dash, Rgba};
+use crate::appearance::{Dash, Rgba, Samples};
 use crate::drawing::StrokeSet;
 
 fn style(width: f32, hidden: HiddenLines) -> LineStyle {
@@ -23,7 +23,7 @@ fn drawing(strokes: &[(&[[f32; 3]], LineStyle)]) -> Drawing {
         width: 100,
         height: 100,
         background: Rgba::rgb(255, 255, 255),
-        antialias: 1,
+        antialias: Samples::One,
         painted_in_order: true,
         depth_format: Default::default(),
         surfaces: Vec::new(),
