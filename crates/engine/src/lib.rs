@@ -49,12 +49,15 @@
 //! use camera_lab_engine::camera::{Camera, ImageSize, Parameters, Viewport};
 //! use glam::{DVec2, DVec3};
 //!
-//! let position = DVec3::new(0.0, 0.0, 5.0); let camera = Camera::new(&Parameters { position, view_angle: 90.0, near:
-//! 1.0, far: 3.0, aspect: 1.0, ..Parameters::default() })?; let image = ImageSize { width: 100, height: 100 }; let p =
-//! camera.stations(DVec3::new(1.0, -1.0, 3.0), image, &Viewport::whole(image)); assert_eq!(p.view, DVec3::new(1.0,
-//! -1.0, -2.0)); // M_v, `[0]` (5.7) assert_eq!(p.clip.w, 2.0); // M_p, (5.14): the distance from the plane through the
-//! eye let projected = p.projected.expect("w isn't 0"); assert_eq!(projected.ndc, DVec3::new(0.5, -0.5, 0.5)); // x, y
-//! and z divided by w, (5.6) assert_eq!(projected.pixel, DVec2::new(75.0, 75.0)); // (5.22)
+//! let position = DVec3::new(0.0, 0.0, 5.0);
+//! let camera = Camera::new(&Parameters { position, view_angle: 90.0, near: 1.0, far: 3.0, aspect: 1.0, ..Parameters::default() })?;
+//! let image = ImageSize { width: 100, height: 100 };
+//! let p = camera.stations(DVec3::new(1.0, -1.0, 3.0), image, &Viewport::whole(image));
+//! assert_eq!(p.view, DVec3::new(1.0, -1.0, -2.0)); // M_v, `[0]` (5.7)
+//! assert_eq!(p.clip.w, 2.0); // M_p, (5.14): the distance from the plane through the eye
+//! let projected = p.projected.expect("w isn't 0");
+//! assert_eq!(projected.ndc, DVec3::new(0.5, -0.5, 0.5)); // x, y and z divided by w, (5.6)
+//! assert_eq!(projected.pixel, DVec2::new(75.0, 75.0)); // (5.22)
 //! # Ok::<(), camera_lab_engine::camera::CameraError>(())
 //! ```
 

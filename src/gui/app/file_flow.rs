@@ -1,7 +1,9 @@
 //! Opening, saving and closing: the questions, their order, and the actions.
 //!
-//! ```text New, Open, a dropped file, Quit ── unsaved? ── ask ──┐ Save, Save as, Export ── which file? ── there
-//! already? changed by another program? read-only? ── ask ── do it ── then what was wanted ```
+//! ```text
+//! New, Open, a dropped file, Quit ── unsaved? ── ask ──┐
+//! Save, Save as, Export ── which file? ── there already? changed by another program? read-only? ── ask ── do it ── then what was wanted
+//! ```
 
 pub(super) mod changed_file;
 pub(super) mod file_kind;

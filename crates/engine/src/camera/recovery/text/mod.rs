@@ -156,8 +156,9 @@ impl MatrixEntries {
     /// Reads a single matrix of seven (a quaternion and t), nine (K, or C, PF and VUP), twelve or sixteen numbers, as
     /// any program prints it.
     ///
-    /// ``` # use camera_lab_engine::camera::MatrixEntries; let blender = "<Matrix 4x4 (1.0, 0.0, 0.0, 7.0)\n(0.0, 1.0,
-    /// 0.0, 8.0)\n(0.0, 0.0, 1.0, 9.0)\n(0.0, 0.0, 0.0, 1.0)>";
+    /// ```
+    /// # use camera_lab_engine::camera::MatrixEntries;
+    /// let blender = "<Matrix 4x4 (1.0, 0.0, 0.0, 7.0)\n(0.0, 1.0, 0.0, 8.0)\n(0.0, 0.0, 1.0, 9.0)\n(0.0, 0.0, 0.0, 1.0)>";
     /// assert_eq!(MatrixEntries::read(blender)?.matrix(false).w_axis.z, 9.0);
     /// # Ok::<(), camera_lab_engine::camera::MatrixTextError>(())
     /// ```
