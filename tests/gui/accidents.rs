@@ -32,7 +32,7 @@ impl Window {
 }
 
 #[test]
-fn what_is_no_figure_is_refused_when_it_is_dropped_and_the_figure_stays() {
+fn a_dropped_file_that_is_no_figure_is_refused() {
     let folder = Folder::new("dropped-else");
     let huge = folder.file("huge.toml");
     // A hole, which takes no room on the disk.
@@ -78,7 +78,7 @@ fn meshes_that_are_none_stand_in_the_scene_with_the_reason() {
 }
 
 #[test]
-fn of_a_thousand_files_one_is_taken_and_that_is_said() {
+fn of_a_thousand_dropped_files_one_opens_and_a_message_says_so() {
     let folder = Folder::new("dropped-many");
     let paths: Vec<_> = (0..1000).map(|i| folder.file(&format!("{i}.toml"))).collect();
     fs::write(&paths[0], "[camera]\nfar = 61.0\n[scene]\npreset = \"empty\"\n").unwrap();

@@ -75,7 +75,7 @@ fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
 }
 
 #[test]
-fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
+fn the_selected_object_is_marked_and_a_lamp_is_moved_too() {
     let mut h = stage(with_cone);
     h.state_mut().state.model.desk.commit();
     let drawn = h.state().canvas.drawn();

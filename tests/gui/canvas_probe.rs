@@ -145,7 +145,7 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
 }
 
 #[test]
-fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
+fn pointer_and_vertex_differ_and_a_card_keeps_its_pinned_point() {
     let mut h = stage(|state| {
         state.model.desk.shown.edit(|figure| {
             figure.scene.preset = Preset::Empty;

@@ -149,7 +149,7 @@ fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
 
 /// Once it has said what there is to say, the coach does nothing until the figure changes.
 #[test]
-fn what_has_not_changed_is_not_looked_at_again() {
+fn an_unchanged_figure_is_not_examined_again() {
     let mut window = window(Lang::En);
     let known = window.state().model.coach.advice().expect("it is known").clone();
     for _ in 0..3 {
@@ -206,7 +206,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
 }
 
 #[test]
-fn repairs_are_told_in_the_symbols_and_the_numbers_of_the_panel() {
+fn repairs_use_the_symbols_and_the_numbers_of_the_panel() {
     for (lang, comma, point) in [(Lang::PtBr, ',', '.'), (Lang::En, '.', ',')] {
         let mut window = window(lang);
         // Nothing is seen up to here, and F is far too small.

@@ -58,7 +58,7 @@ fn the_numbers_are_in_the_convention_that_is_chosen() {
 }
 
 #[test]
-fn what_differs_is_said() {
+fn differing_entries_are_marked_and_listed() {
     let mut window = window(Lang::En);
     choose(&mut window, "compared with", "Vulkan");
     assert_eq!(shown(&window).compared, Some(VULKAN));

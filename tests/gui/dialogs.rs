@@ -166,7 +166,7 @@ fn after_a_failed_open_the_field_keeps_the_keyboard_and_says_why() {
 }
 
 #[test]
-fn what_is_wrong_elsewhere_is_not_said_in_the_dialog_of_files() {
+fn the_file_dialog_does_not_repeat_errors_from_elsewhere() {
     let mut window = Window::new(Lang::En);
     let error = camera_lab::camera::CameraError::ViewUpZero;
     window.app_mut().state.model.say(camera_lab_desk::message::Message::Camera(error));
@@ -266,7 +266,7 @@ fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
 }
 
 #[test]
-fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
+fn on_paper_lines_have_their_own_width_and_too_little_room_shows() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
     window.quick_choice(en::WINDOW.export_what, en::WINDOW.export_all);
@@ -347,7 +347,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
 }
 
 #[test]
-fn what_no_paper_has_is_said_by_its_field_and_its_range() {
+fn impossible_paper_sizes_name_their_field_and_range() {
     let on_paper = || {
         let mut window = Window::new(Lang::En);
         window.command_key(Key::E);

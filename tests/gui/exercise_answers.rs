@@ -57,7 +57,7 @@ fn the_keyboard_comes_to_the_exercises_and_a_panel_that_stood_open_is_not_closed
 }
 
 #[test]
-fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
+fn a_reopened_exercise_is_judged_again_without_a_new_try() {
     let folder = Folder::new("judged-again");
     let (_, exercise) = made("basis", 1);
     let name_of = |name: &str| {
@@ -96,7 +96,7 @@ fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
 }
 
 #[test]
-fn an_axis_is_told_as_an_axis_and_its_camera_goes_when_it_is_changed() {
+fn a_verdict_on_an_axis_calls_it_an_axis_and_a_change_hides_its_camera() {
     let mut window = working_on("basis", 1, Lang::En);
     let (_, exercise) = made("basis", 1);
     let ask = |name: &str| exercise.asks.iter().find(|ask| ask.name == name).unwrap();
@@ -130,7 +130,7 @@ fn an_axis_is_told_as_an_axis_and_its_camera_goes_when_it_is_changed() {
 }
 
 #[test]
-fn too_few_numbers_are_told_with_both_counts_and_a_whole_answer_is_marked_as_any() {
+fn too_few_numbers_give_both_counts_and_a_whole_answer_is_marked() {
     let mut window = working_on("basis", 1, Lang::En);
     let (_, exercise) = made("basis", 1);
     let ask = exercise.asks.iter().find(|ask| ask.name == "u").unwrap();
@@ -153,7 +153,7 @@ fn too_few_numbers_are_told_with_both_counts_and_a_whole_answer_is_marked_as_any
 }
 
 #[test]
-fn a_lecturers_own_message_is_said_of_the_answer_that_was_expected() {
+fn a_lecturers_own_message_goes_with_the_expected_answer() {
     let lecture = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/exercises");
     let mut window = window(Lang::En);
     window.app_mut().state.learn.exercises.look_into(Some(lecture.into()));

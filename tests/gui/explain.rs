@@ -177,7 +177,7 @@ fn every_entry_in_every_projection_answers_with_its_value() {
 }
 
 #[test]
-fn what_a_change_has_touched_glows_and_then_nothing_is_painted_again() {
+fn changed_entries_glow_and_then_painting_stops() {
     let mut window = explaining(Lang::En);
     let [first, last] = ["M_p, row 1, column 1:", "M_p, row 4, column 4:"].map(|begins| entry(&window, begins));
     window.app_mut().state.model.explained.matrices.entry = [0, 1];

@@ -88,7 +88,7 @@ fn the_convention_of_a_file_is_that_of_the_window_and_is_saved_again() {
 /// An object may be called as the part of another one is: a click knows them apart, and chooses no triangle that its
 /// name cannot tell from another.
 #[test]
-fn an_object_and_a_part_of_another_that_is_called_alike_are_told_apart() {
+fn an_object_and_a_part_of_another_with_the_same_name_differ() {
     let folder = Folder::new("explained-names");
     let corner = |x: f64, y: f64| format!("v {} {y} 0\nv {x} {} 0\nv {x} {y} 1\n", x + 1.0, y + 1.0);
     let mesh = format!("o block\n{}f 1 2 3\no lid\n{}f 4 5 6\n", corner(-1.5, 0.0), corner(-1.5, 1.2));

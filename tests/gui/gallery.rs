@@ -161,7 +161,7 @@ fn the_frame_in_a_folder_follows_the_figure_that_is_open() {
 }
 
 #[test]
-fn where_dividing_first_does_no_harm_the_card_that_shows_it_is_offered() {
+fn if_dividing_first_does_no_harm_a_figure_that_shows_it_is_offered() {
     let mut window = Window::new(Lang::En);
     window.explain(Explanation::Clipping);
     assert!(!window.says(en::GALLERY.shows));

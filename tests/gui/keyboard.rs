@@ -141,7 +141,7 @@ fn tab_reaches_every_control_once_each_has_a_name_and_rows_are_gone_through_as_t
 }
 
 #[test]
-fn what_tab_reaches_is_scrolled_into_sight_and_marked_also_where_it_is_on() {
+fn tab_scrolls_the_focused_control_into_view_and_marks_it_if_it_is_on() {
     let mut state = Window::new(Lang::En);
     let state = std::mem::replace(&mut state.app_mut().state, fresh());
     let mut window = Window::with_state(state, [1280.0, 420.0]);

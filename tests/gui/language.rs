@@ -61,7 +61,7 @@ fn no_text_is_missing_and_few_are_the_same() {
 }
 
 #[test]
-fn what_was_said_last_is_said_in_the_language_of_now() {
+fn the_last_message_changes_its_language_too() {
     let mut window = Window::new(Lang::En);
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::C);
     window.run();

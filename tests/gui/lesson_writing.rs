@@ -71,7 +71,7 @@ fn type_into(window: &mut Window, field: &str, text: &str) {
 }
 
 #[test]
-fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
+fn typed_text_is_shown_at_once_and_in_the_file_soon() {
     let folder = Folder::new("write");
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);
@@ -181,7 +181,7 @@ fn the_fields_of_a_lesson_are_named_in_portuguese_and_write_portuguese() {
 }
 
 #[test]
-fn a_text_that_is_wrong_is_told_and_not_lost() {
+fn a_wrong_text_gets_a_message_and_is_not_lost() {
     let folder = Folder::new("write-wrong");
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);
@@ -247,7 +247,7 @@ fn steps_change_their_places_and_keep_their_pictures() {
 }
 
 #[test]
-fn what_another_program_writes_is_not_replaced() {
+fn changes_by_another_program_are_not_overwritten() {
     let folder = Folder::new("write-both");
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);

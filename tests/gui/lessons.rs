@@ -94,7 +94,7 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
 }
 
 #[test]
-fn a_wrong_answer_is_told_why_in_both_languages() {
+fn a_wrong_answer_gets_a_reason_in_both_languages() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = playing(0, 0, lang);
         let Some(Task::Question(entry)) = &shipped()[0].lesson.steps[0].task else { panic!("a question") };
@@ -196,7 +196,7 @@ fn notes_come_into_a_presentation_only_if_they_are_asked_for() {
 }
 
 #[test]
-fn whoever_leaves_has_the_figure_and_the_panels_back() {
+fn leaving_a_lesson_brings_the_figure_and_the_panels_back() {
     let mut window = Window::new(Lang::En);
     window.run();
     let panels = window.state().model.settings.panels.wanted;

@@ -78,7 +78,7 @@ fn the_panel_speaks_portuguese_and_goes_away_again() {
 }
 
 #[test]
-fn what_is_cancelled_is_not_shown_as_measured() {
+fn a_cancelled_study_is_not_shown_as_measured() {
     let mut window = window_with(Lang::En, Effort { seed: 1, seconds: 600.0, thorough: true });
     window.click(en::WINDOW.cancel);
     window.app_mut().state.numerics.take(Duration::from_secs(120));

@@ -33,7 +33,7 @@ impl Window {
 }
 
 #[test]
-fn what_another_program_wrote_is_replaced_only_after_a_question() {
+fn a_file_changed_by_another_program_is_replaced_only_after_asking() {
     let folder = Folder::new("changed-file");
     let path = folder.file("a.toml");
     fs::write(&path, MINE).expect("written");

@@ -88,7 +88,7 @@ fn a_probe_pinned_on_a_point_goes_with_it_and_another_one_stays() {
 }
 
 #[test]
-fn what_no_point_has_is_refused_with_what_is_allowed() {
+fn impossible_coordinates_are_refused_with_the_allowed_range() {
     for (lang, field, message) in
         [(Lang::En, "NDC z_n", "no point of the world is that far"), (Lang::PtBr, "NDC z_n", "nenhum ponto do mundo")]
     {

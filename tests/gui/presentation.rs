@@ -96,7 +96,7 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
 }
 
 #[test]
-fn what_lies_between_two_figures_is_passed_over_and_told() {
+fn unreadable_files_between_two_figures_are_skipped_with_a_message() {
     let folder = Folder::new("foreign-figures");
     for name in ["1.toml", "9.toml"] {
         fs::write(folder.file(name), "[scene]\npreset = \"empty\"\n").expect("written");
@@ -125,7 +125,7 @@ fn what_lies_between_two_figures_is_passed_over_and_told() {
 }
 
 #[test]
-fn whoever_does_not_close_after_all_has_lost_no_figure() {
+fn cancelling_the_close_loses_no_figure() {
     let folder = Folder::new("given-up");
     for name in ["1.toml", "2.toml", "3.toml"] {
         fs::write(folder.file(name), "[camera]\nfar = 50.0\n").expect("written");
@@ -278,7 +278,7 @@ fn beside_a_panel_one_picture_is_large_and_it_is_the_one_that_is_explained() {
 }
 
 #[test]
-fn ink_stays_with_its_figure_and_escape_is_said_to_clear_it() {
+fn ink_stays_with_its_figure_and_the_window_says_escape_clears_it() {
     let folder = Folder::new("ink");
     for name in ["1.toml", "2.toml"] {
         fs::write(folder.file(name), "[scene]\npreset = \"empty\"\n").expect("written");

@@ -101,7 +101,7 @@ fn of_thousands_of_objects_the_tree_has_the_rows_around_those_that_are_seen() {
 }
 
 #[test]
-fn what_is_added_by_the_keyboard_closes_the_menu() {
+fn adding_an_object_by_keyboard_closes_the_menu() {
     let mut window = Window::new(Lang::En);
     window.key(Key::F6);
     for (what, names) in [("sphere", &["sphere"][..]), ("group", &["sphere", "group"])] {
@@ -207,7 +207,7 @@ fn a_light_gets_shadows_their_numbers_and_what_they_show() {
 }
 
 #[test]
-fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
+fn an_impossible_value_shows_an_error_and_keeps_the_last_good_scene() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "cone");
     let before = window.objects()[0].clone();
@@ -251,7 +251,7 @@ fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
 }
 
 #[test]
-fn what_is_typed_for_one_object_does_not_go_to_the_next_that_is_selected() {
+fn a_value_typed_for_one_object_does_not_go_to_the_next_selected() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "box");
     window.add("Add", "cone");
@@ -365,7 +365,7 @@ fn several_are_selected_copied_with_their_children_deleted_and_brought_back() {
 }
 
 #[test]
-fn what_cannot_be_selected_together_says_why() {
+fn objects_that_cannot_be_selected_together_say_why() {
     let mut window = Window::scene(Lang::En);
     let beside = |window: &mut Window, row: &str| {
         window.harness.get_by_role_and_label(Role::TreeItem, row).click_modifiers(Modifiers::COMMAND);
@@ -493,7 +493,7 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
 }
 
 #[test]
-fn what_a_mesh_names_outside_of_its_folder_is_read_once_the_user_lets_it() {
+fn files_outside_a_meshs_folder_are_read_once_the_user_allows_it() {
     let folder = Folder::new("reach");
     std::fs::create_dir_all(folder.file("inner")).expect("a folder");
     let path = folder.file("figure.toml");

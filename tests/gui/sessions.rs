@@ -80,7 +80,7 @@ fn world(folder: &Folder, restore: bool) -> Window {
 }
 
 #[test]
-fn what_was_explained_is_back_although_the_figure_has_not_changed() {
+fn explanations_come_back_although_the_figure_has_not_changed() {
     let folder = Folder::new("explained");
     let mut window = world(&folder, false);
     let near = vec![Measured::Dimension(Measure::Near)];
@@ -196,7 +196,7 @@ fn a_figure_that_did_not_survive_is_offered_and_not_restored() {
 }
 
 #[test]
-fn what_cannot_be_understood_is_said_with_its_place() {
+fn an_unreadable_session_is_named_with_its_path() {
     let folder = Folder::new("not-understood");
     fs::create_dir_all(folder.file("sessions")).expect("made");
     fs::write(folder.file("sessions/session-0.json"), "?").expect("written");
@@ -256,7 +256,7 @@ fn lines_at_the_top_take_a_row_each_however_often_they_are_shown() {
 }
 
 #[test]
-fn a_home_that_cannot_be_used_is_said_in_one_line_and_once() {
+fn an_unusable_home_gives_one_message_of_one_line() {
     let folder = Folder::new("no-home");
     let home = folder.file("home");
     fs::write(&home, "a file").expect("written");
@@ -285,7 +285,7 @@ fn a_home_that_cannot_be_used_is_said_in_one_line_and_once() {
 }
 
 #[test]
-fn the_first_window_shows_on_a_small_screen_what_is_said_at_its_bottom() {
+fn a_small_screen_shows_the_message_at_the_bottom_of_the_window() {
     // What title bars and task bars take of a screen of 720 lines, generously.
     const BARS: f32 = 76.0;
     let mut state = State::new(Start::default()).expect("a camera");

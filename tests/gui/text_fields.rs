@@ -49,7 +49,7 @@ fn a_long_text_in_a_number_field_is_cut_and_refused() {
 }
 
 #[test]
-fn a_long_text_in_any_other_field_is_cut_and_that_is_said() {
+fn a_long_text_in_any_other_field_is_cut_with_a_message() {
     let mut window = Window::new(Lang::En);
     window.app_mut().state.file_flow.dialog = Some(Dialog::Path(Purpose::Open, String::new()));
     window.run();

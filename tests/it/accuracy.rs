@@ -145,7 +145,7 @@ fn matrices_drift_with_the_number_of_operations_and_the_program_does_not() {
 /// The measured interval is the predicted one: exactly where the arithmetic is that of the format, within a few
 /// roundings elsewhere.
 #[test]
-fn depths_are_told_apart_as_the_theory_predicts() {
+fn depths_are_resolved_as_the_theory_predicts() {
     let findings = findings(Study::DepthBuffer);
     for r in findings.rows.iter().filter(|r| !r.case.contains("z-fighting")) {
         let share = r.error / r.predicted.unwrap();

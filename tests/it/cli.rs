@@ -132,7 +132,7 @@ fn pictures_for_paper_and_for_the_web() {
 }
 
 #[test]
-fn what_is_measured_in_points_is_told_to_who_prints_it() {
+fn a_picture_measured_in_points_has_its_density() {
     let bench = bench("points");
     let density = |arguments: &[&str]| {
         let run = bench.run(&[&["render", "figure.toml", "-o", "a.png"], arguments].concat());
@@ -394,7 +394,7 @@ fn an_interrupted_command_leaves_the_file_as_it_was_and_nothing_else() {
 }
 
 #[test]
-fn an_option_before_the_command_is_told_where_to_stand() {
+fn an_option_before_the_command_gives_the_right_order() {
     let bench = bench("before");
     for (arguments, found) in [
         (

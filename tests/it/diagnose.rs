@@ -111,7 +111,7 @@ fn levels_begin_where_the_thresholds_stand() {
 
 /// One way to judge: where a warning says something, the line is not good; and a repair makes it better.
 #[test]
-fn where_a_warning_says_something_the_line_is_not_good_and_repairs_help() {
+fn if_the_camera_has_a_warning_the_line_is_not_good_and_repairs_help() {
     let mut random = Random::new(9, 1);
     let mut warned = 0;
     for _ in 0..400 {

@@ -327,7 +327,7 @@ fn the_cause_of_most_objects_comes_first() {
 /// What is lost whole and what is lost in part for the same reason is one finding, and what is done about it shows the
 /// former.
 #[test]
-fn a_cause_is_said_once_with_what_is_lost_whole_and_in_part() {
+fn a_cause_has_one_finding_with_whole_and_partial_losses() {
     let p = Parameters { position: DVec3::ZERO, focal_point: DVec3::NEG_Z, far: 20.0, ..Parameters::default() };
     let ball = |name: &str, z: f64| ObjectSpec::new(name, Shape::Sphere).at(0.0, 0.0, z).scaled(3.0, 3.0, 3.0);
     let scene = scene(vec![ball("seen", -12.0), ball("in part", -21.0), ball("lost", -40.0)]);

@@ -184,7 +184,7 @@ const EXERCISES: [&str; 19] = [
 ];
 
 #[test]
-fn what_follows_rightly_from_a_wrong_answer_is_carried_in_every_family() {
+fn consequences_of_a_wrong_answer_are_carried_in_every_family() {
     let mut carried = 0;
     for id in EXERCISES {
         for seed in 0..if id.starts_with("1-") { 1 } else { 12 } {
@@ -219,7 +219,7 @@ fn what_follows_rightly_from_a_wrong_answer_is_carried_in_every_family() {
 
 /// Never is “u points to the wrong side” said beside a u that is right.
 #[test]
-fn no_reason_is_told_that_a_right_answer_beside_it_excludes() {
+fn no_reason_is_given_that_a_right_answer_beside_it_excludes() {
     let mut told = 0;
     for id in ["basis", "window", "pixel", "ndc", "elevation", "yaw", "left-handed", "vocabulary", "viewport"] {
         for seed in 0..6 {

@@ -104,7 +104,7 @@ fn each_mistake_gets_its_code() {
 }
 
 #[test]
-fn axes_in_the_columns_of_the_view_matrix_are_told() {
+fn axes_in_the_columns_of_the_view_matrix_are_recognised() {
     let columns = |x: &str, y: &str, z: &str| {
         format!("[[2/√13, -3/√182, 3/√14, {x}], [0, 13/√182, 1/√14, {y}], [-3/√13, -2/√182, 2/√14, {z}], [0, 0, 0, 1]]")
     };
@@ -128,7 +128,7 @@ fn the_whole_angle_is_found_with_and_without_the_factor_of_two() {
 }
 
 #[test]
-fn two_mistakes_together_are_told_both() {
+fn two_mistakes_together_are_both_named() {
     // −C, not turned, beside axes in the columns.
     let matrix = "[[2/√13, -3/√182, 3/√14, -2], [0, 13/√182, 1/√14, -1], [-3/√13, -2/√182, 2/√14, -1], [0, 0, 0, 1]]";
     assert_eq!(codes(&judge("view-matrix", 1, "Mv", matrix)), ["translation-not-rotated", "transposed"]);
@@ -144,7 +144,7 @@ fn two_mistakes_together_are_told_both() {
 /// `[0]` 5.2 by hand: **n** = (6, −1, −1)/√38, **u** = (0, 1, −1)/√2, **v** = (1, 3, 3)/√19; after the zoom t = F/3 and
 /// r = F/4.
 #[test]
-fn what_depends_on_f_may_be_a_formula_in_f() {
+fn answers_that_depend_on_f_may_be_formulas_in_f() {
     let corner = |f: &str, of_v: &str| {
         format!("[7 + {of_v}/(3√19) - 6*{f}/√38, {f}/(4√2) + {f}/√19 + {f}/√38, {f}/√19 - {f}/(4√2) + {f}/√38]")
     };

@@ -53,7 +53,7 @@ fn told_of(id: &str, name: &str, code: &str, wrong: impl Fn(u64) -> Option<Strin
 }
 
 #[test]
-fn a_rotation_through_the_wrong_point_is_told() {
+fn a_rotation_about_the_wrong_point_is_recognised() {
     for (id, name, about_u, moves_c) in [
         ("elevation", "C", true, true),
         ("azimuth", "C", false, true),
@@ -77,7 +77,7 @@ fn a_rotation_through_the_wrong_point_is_told() {
 }
 
 #[test]
-fn half_of_the_view_transform_is_told() {
+fn half_of_the_view_transform_is_recognised() {
     let p = |seed: u64| exercise("ndc", seed).subject.points[0];
     told_of("ndc", "view", "not-done", |seed| Some(vector(p(seed) - given("ndc", seed).c)));
     told_of("ndc", "view", "not-done", |seed| {
@@ -122,7 +122,7 @@ fn half_of_the_view_transform_is_told() {
 }
 
 #[test]
-fn the_fourth_coordinate_is_told() {
+fn mistakes_in_the_fourth_coordinate_are_recognised() {
     let in_perspective =
         |seed: &u64| exercise("ndc", *seed).subject.figure.camera.projection == Projection::Perspective;
     let clip = |seed: u64| DVec4::from_slice(&right("ndc", seed, "clip"));
@@ -135,7 +135,7 @@ fn the_fourth_coordinate_is_told() {
 }
 
 #[test]
-fn rays_that_start_on_the_window_and_numbers_of_the_vrc_are_told() {
+fn rays_from_the_window_and_view_coordinates_are_recognised() {
     let window = |seed: u64| {
         let exercise = exercise("ray", seed);
         let (figure, [i, j]) = (&exercise.subject.figure, exercise.subject.pixels[0]);
@@ -173,7 +173,7 @@ fn the_corner_of_5_2_has_its_mistakes() {
 }
 
 #[test]
-fn the_least_of_several_entries_is_told() {
+fn the_least_of_several_entries_is_recognised() {
     let planes = |p: &[f64]| [p[3] + p[0], p[3] - p[0], p[3] + p[1], p[3] - p[1], p[3] + p[2], p[3] - p[2]];
     let ends = |seed: u64| {
         let facts = exercise("clip-segment", seed).facts;

@@ -122,7 +122,7 @@ fn small_numbers_are_judged_by_their_size() {
 
 /// A3.
 #[test]
-fn what_the_notes_misprint_is_told_as_such() {
+fn a_misprint_of_the_notes_is_recognised() {
     for (id, seed) in [("parallel-matrix", 0), ("parallel-matrix", 200), ("0-5.2", 0)] {
         let mut matrix = right(id, seed, "Mp");
         matrix[15] = 0.0;
@@ -167,7 +167,7 @@ fn axes_are_judged_with_the_students_own() {
 
 /// A5 and B10 along other ways.
 #[test]
-fn what_is_right_for_a_wrong_value_is_told_so() {
+fn answers_right_for_a_wrong_value_are_marked_as_carried() {
     let carried = |id: &str, seed, answers: &[(&str, String)]| -> Vec<Vec<String>> {
         together(id, seed, answers).into_iter().map(|judged| judged.carried).collect()
     };
@@ -293,7 +293,7 @@ fn pixels_are_floored_and_depth_has_its_range() {
 
 /// A16.
 #[test]
-fn another_order_of_transforms_is_told_as_the_order() {
+fn another_order_of_transforms_is_recognised() {
     let m = DMat4::from_cols_array(&right("order", 31, "M").try_into().unwrap()).transpose();
     // M = T R S, so R T S has the translation R t.
     let scale = DVec3::new(m.x_axis.truncate().length(), m.y_axis.truncate().length(), m.z_axis.truncate().length());
@@ -306,7 +306,7 @@ fn another_order_of_transforms_is_told_as_the_order() {
 
 /// A17.
 #[test]
-fn vup_that_was_not_turned_is_told() {
+fn vup_that_was_not_turned_is_recognised() {
     use camera_lab::camera::{Camera, Convention, Parameters};
     let subject = exercise("pitch", 205).subject;
     let before = Camera::new(&subject.figure.camera).unwrap();
@@ -346,7 +346,7 @@ fn one_cause_is_preferred_to_two() {
 
 /// A22.
 #[test]
-fn a_camera_returned_as_it_was_is_told_so() {
+fn a_camera_returned_as_it_was_is_recognised() {
     use camera_lab::camera::Camera;
     for id in ["elevation", "azimuth", "roll", "yaw", "pitch", "zoom", "dolly", "pan"] {
         let subject = exercise(id, 200).subject;
@@ -512,7 +512,7 @@ fn without_a_known_mistake_help_begins_at_the_first_step_that_is_wrong() {
 
 /// Multiples of the right direction, and of the reversed one where **n** may be.
 #[test]
-fn directions_of_any_length_are_told() {
+fn directions_of_any_length_are_recognised() {
     let n = DVec3::from_slice(&right("basis", 200, "n"));
     for factor in [2.0, 0.37, 13.0] {
         assert_eq!(verdict("basis", 200, "n", vector(&(n * factor).to_array())), "not-normalised");
@@ -523,7 +523,7 @@ fn directions_of_any_length_are_told() {
 
 /// The four usual wrong answers to `[0]` 5.1.
 #[test]
-fn projections_and_spaces_that_are_exchanged_in_5_1_are_told() {
+fn exchanged_projections_and_spaces_in_5_1_are_recognised() {
     let root = "1/√2";
     for (name, answer, code) in [
         ("parallel_origin", "[3, 4, 0]".to_owned(), "projections-exchanged"),

@@ -161,7 +161,7 @@ fn differs(ask: &Ask, wrong: &Table, right: &Table) -> bool {
 }
 
 #[test]
-fn no_known_mistake_is_accepted_and_each_is_told() {
+fn known_mistakes_are_refused_by_name() {
     let (mut told, mut triples, mut several) = (BTreeSet::new(), 0, 0);
     all_of(seeds().max(16), |entry, exercise| {
         for ask in &exercise.asks {
@@ -289,7 +289,7 @@ fn no_number_that_is_wrong_by_a_third_is_right() {
 
 /// Nothing that can be answered wrongly leaves a student without a word.
 #[test]
-fn what_no_known_mistake_explains_gets_a_hint() {
+fn unexplained_answers_get_a_hint() {
     let mut tried = 0;
     all_of(3, |entry, exercise| {
         for ask in &exercise.asks {

@@ -45,7 +45,7 @@ fn figure(bench: &Bench, rest: &str) {
 }
 
 #[test]
-fn every_stage_is_told_in_the_order_of_the_notes() {
+fn stages_are_listed_in_the_order_of_the_notes() {
     let bench = Bench::new("explain-order");
     figure(&bench, "");
     for view in ["world", "canonical", "image"] {
@@ -113,7 +113,7 @@ fn a_cube_is_counted_as_by_hand() {
 }
 
 #[test]
-fn each_object_is_told_what_becomes_of_it() {
+fn each_object_has_its_outcome_and_reason() {
     let bench = Bench::new("explain-objects");
     let ball = |name: &str, x: i32| {
         format!("[[scene.objects]]\nname = \"{name}\"\nshape = \"sphere\"\ntranslate = [{x}, 0, 0]\n")

@@ -164,7 +164,7 @@ fn captions_say_the_value_in_the_words_of_the_language_and_parts_have_letters() 
 }
 
 #[test]
-fn what_cannot_be_varied_is_told_by_key_value_and_range_and_nothing_is_written() {
+fn impossible_variations_are_refused_by_key_value_and_range() {
     let bench = bench("families-refusals");
     let many = format!("azimuth={}", (0..65).map(|k| k.to_string()).collect::<Vec<_>>().join(","));
     for (arguments, parts) in [

@@ -224,7 +224,7 @@ fn every_image_is_shown_on_a_page_and_every_page_has_its_images() {
 /// Each picture holds its figure, which can be opened.
 #[cfg(unix)]
 #[test]
-fn the_figures_of_the_guides_can_be_drawn_anew() {
+fn the_figures_of_the_guides_can_be_redrawn() {
     let script = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/pictures.sh");
     let bench = Bench::new("guide-figures");
     let figures = ["pipeline-depth.pt-BR.png", "points.en.svg"];

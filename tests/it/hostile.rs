@@ -27,7 +27,7 @@ fn is_harmless(message: &str) {
 }
 
 #[test]
-fn what_strangers_write_reaches_no_terminal_raw_or_at_full_length() {
+fn foreign_text_reaches_no_terminal_raw_or_at_full_length() {
     let bench = Bench::new("foreign-text");
     let escape = "\u{1b}[31mEVIL\u{1b}[2J\u{202e}";
     let long = "x".repeat(100_000);
@@ -213,7 +213,7 @@ fn devices_and_pipes_are_refused_wherever_they_are_named() {
 }
 
 #[test]
-fn what_a_figure_names_has_one_budget_and_the_same_file_counts_once() {
+fn files_named_by_a_figure_share_a_budget_and_count_once_each() {
     let bench = Bench::new("budget");
     let points = gltf("", 1).1;
     // 200 MiB that take no room on the disk.
@@ -238,7 +238,7 @@ fn what_a_figure_names_has_one_budget_and_the_same_file_counts_once() {
 
 /// What nobody typed is not repeated: who opens a link knows which.
 #[test]
-fn what_is_wrong_with_a_link_is_said_of_the_figure_in_it() {
+fn errors_in_a_link_name_the_figure_in_it() {
     let bench = Bench::new("link-faults");
     let link = |text: &str| {
         camera_lab_files::share::link("https://example.org/lab/", camera_lab_files::share::Held::Figure, text).unwrap()

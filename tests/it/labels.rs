@@ -149,7 +149,7 @@ fn names_are_the_same_in_both_languages() {
 }
 
 #[test]
-fn a_name_that_no_label_has_is_told_with_the_one_that_was_meant_and_those_of_the_pictures_are_known() {
+fn unknown_label_names_get_a_suggestion_and_all_drawn_labels_are_known() {
     let shipped = camera_lab_files::SHIPPED_FIGURES.iter().map(|figure| figure.text());
     for text in shipped {
         let Ok(figure) = parse(&text) else { continue };
@@ -223,7 +223,7 @@ fn a_line_of_a_legend_that_is_dragged_takes_the_legend_along_and_automatic_again
 }
 
 #[test]
-fn what_a_stage_says_is_the_authors_too() {
+fn labels_of_a_stage_can_be_changed_too() {
     let figure = FIGURE.replace("cube", "house");
     let stage = |stage: &str, view: &str| format!("{figure}[show]\nstage = \"{stage}\"\nstage_of = \"{view}\"\n");
     for (name, shown, view) in [

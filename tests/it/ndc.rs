@@ -356,7 +356,7 @@ proptest! {
     }
 
     #[test]
-    fn what_does_not_depend_on_the_convention_is_the_same(camera in any_camera(), along in -0.5..1.5, x in -1.5..1.5, y in -1.5..1.5) {
+    fn view_window_and_pixel_are_the_same_in_every_convention(camera in any_camera(), along in -0.5..1.5, x in -1.5..1.5, y in -1.5..1.5) {
         let corners = camera.volume_corners();
         let [near, far]: [DVec3; 2] = [0, 4].map(|first| {
             let [a, b, d] = [corners[first], corners[first + 1], corners[first + 3]];
@@ -385,7 +385,7 @@ proptest! {
 }
 
 #[test]
-fn what_goes_to_infinity_is_approached() {
+fn a_growing_far_distance_approaches_the_infinite_matrix() {
     for name in ["opengl", "opengl-reversed", "direct3d", "vulkan", "webgpu-reversed"] {
         let finite = ndc(name);
         let limit = Ndc { infinite: true, ..finite };

@@ -126,7 +126,7 @@ fn every_symbol_operation_step_stage_and_equation_has_a_note_of_its_kind() {
 }
 
 #[test]
-fn the_errata_of_the_notes_are_told_where_they_matter() {
+fn notes_have_their_errata_beside_them() {
     let told = |lang, id: &str, words: &[&str]| {
         let note = note(lang, id).unwrap_or_else(|| panic!("{id}"));
         let errata: String = note.errata.iter().flatten().map(|piece| format!("{piece:?}")).collect();

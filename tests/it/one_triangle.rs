@@ -75,7 +75,7 @@ fn a_corner_behind_the_eye_is_cut_off_at_the_near_plane() {
 }
 
 #[test]
-fn what_is_outside_of_one_plane_is_dropped_without_a_cut_and_what_is_inside_stays() {
+fn triangles_outside_one_plane_are_dropped_uncut_and_inner_ones_stay() {
     let outside = [[10.0, 0.0, -2.0], [11.0, 0.0, -2.0], [10.0, 1.0, -2.0]];
     let inside = [[0.0, 0.0, -2.0], [1.0, 0.0, -2.0], [0.0, 1.0, -2.0]];
     let object = object("t", &[outside, inside], DMat4::IDENTITY);

@@ -229,7 +229,7 @@ fn k_r_t_is_found_in_twelve_numbers_and_in_sixteen() {
 }
 
 #[test]
-fn what_no_camera_has_is_named() {
+fn matrices_of_no_camera_are_refused_with_the_reason() {
     let Err(RecoveryError::Skew { skew, focal_length }) = read(WITH_SKEW, Stated::default()) else { panic!("skew") };
     assert!((skew - 91.2).abs() < 0.1 && (focal_length - 468.2).abs() < 0.1, "{skew} {focal_length}");
     let affine = read("800 0 0 320  0 800 0 240  0 0 0 1", Stated::default());
@@ -240,7 +240,7 @@ fn what_no_camera_has_is_named() {
 }
 
 #[test]
-fn a_rigid_matrix_that_tells_nothing_is_read_as_camera_to_world_and_that_is_said() {
+fn an_ambiguous_rigid_matrix_is_read_as_camera_to_world_and_says_so() {
     // The camera of Blender after 90° about x, from a page about it: level and upright with z up alone.
     let found = read("1 0 0 0  0 0 -1 -6  0 1 0 0  0 0 0 1", Stated::default()).unwrap();
     assert_eq!((found.best().reading.kind, found.best().reading.axes), (MatrixKind::CameraToWorld, Axes::BLENDER));

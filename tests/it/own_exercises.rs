@@ -56,7 +56,7 @@ fn the_examples_are_read_and_judged() {
 }
 
 #[test]
-fn a_file_at_fault_is_told_by_line_key_and_what_is_allowed() {
+fn a_faulty_file_is_refused_with_line_key_and_allowed_values() {
     let whole = |text: String| format!("{text}[[ask]]\nname = \"a\"\ntext = \"What?\"\nanswer = 1\n");
     let ask = |rest: &str| format!("{PLAIN}[[ask]]\nname = \"a\"\ntext = \"What?\"\n{rest}\n");
     for (text, parts) in [

@@ -18,7 +18,7 @@ fn render(bench: &Bench, more: &[&str]) -> Run {
 }
 
 #[test]
-fn what_no_paper_has_is_refused_by_the_name_of_the_option_and_its_range() {
+fn impossible_paper_options_are_refused_by_name_and_range() {
     let bench = bench("paper-limits");
     for (options, name, range) in [
         (&["--letters", "1e9"][..], "--letters", ["0.5", "1000"]),

@@ -60,7 +60,7 @@ fn each_part_of_the_world_can_be_left_out() {
 }
 
 #[test]
-fn what_is_left_out_has_no_handle() {
+fn hidden_parts_have_no_handle() {
     let count = |parts: WorldParts| {
         let mut figure = house();
         figure.world.parts = parts;

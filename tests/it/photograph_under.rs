@@ -231,7 +231,7 @@ fn the_keys_are_read_written_and_edited() {
 }
 
 #[test]
-fn what_the_keys_do_not_allow_is_refused() {
+fn values_that_the_keys_do_not_allow_are_refused() {
     let bench = Bench::new("photograph-refused");
     for (image, language, words) in [
         (

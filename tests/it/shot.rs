@@ -101,7 +101,7 @@ proptest! {
     }
 
     #[test]
-    fn what_belongs_to_other_pictures_changes_nothing_in_this_one(show in shows(), other in shows()) {
+    fn settings_of_other_pictures_change_nothing_in_this_one(show in shows(), other in shows()) {
         let mut renderer = Renderer::default();
         for view in View::ALL {
             let mixed = with_others(&show, view, &other);
@@ -144,7 +144,7 @@ fn each_key_shows_where_it_belongs() {
 }
 
 #[test]
-fn what_cannot_be_shown_is_told_by_line_key_and_what_is_allowed() {
+fn impossible_shows_are_refused_with_line_key_and_allowed_values() {
     for (text, parts) in [
         ("stage = \"clipp\"", &["line 2", "[show] stage", "\"clipp\"", "\"clip\""][..]),
         ("painted = 1.5", &["line 2", "[show] painted", "0", "1"]),
@@ -200,7 +200,7 @@ fn render_draws_what_is_shown_and_arguments_override_it() {
 }
 
 #[test]
-fn arguments_that_cannot_be_shown_are_told() {
+fn impossible_show_arguments_are_refused() {
     let bench = Bench::new("shot-arguments");
     bench.write("f.toml", "[scene]\npreset = \"house\"\n");
     for (argument, parts) in [

@@ -57,7 +57,7 @@ fn noting_a_stage_changes_nothing_and_one_that_did_not_run_has_nothing_to_show()
 }
 
 #[test]
-fn what_is_noted_is_what_the_report_counts() {
+fn noted_work_agrees_with_the_counts_of_the_report() {
     for near in [0.5, 2.0, 6.0] {
         let culled = frame(near, Some(Stage::CullFaces));
         let (from, to) = report(&culled, Stage::CullFaces).counts.unwrap();

@@ -103,7 +103,7 @@ fn a_pixel_with_a_depth_leads_to_the_point_that_has_them() {
 }
 
 #[test]
-fn what_cannot_be_followed_is_refused_with_what_is_allowed() {
+fn untraceable_points_are_refused_with_the_allowed_values() {
     let bench = Bench::new("trace-refused");
     bench.write("f.toml", FIGURE);
     for (arguments, said) in [

@@ -431,7 +431,7 @@ fn latex_sets_the_names_in_the_documents_font_over_a_pdf_beside_it() {
 }
 
 #[test]
-fn letters_on_paper_are_nine_points_and_small_ones_are_told() {
+fn letters_on_paper_are_nine_points_and_small_ones_give_a_notice() {
     let bench = Bench::new("vectors-letters");
     bench.write("a.toml", "[scene]\npreset = \"house\"\n");
     let render = |arguments: &[&str]| bench.run(&[&["render", "a.toml", "--view", "world", "-o"], arguments].concat());
