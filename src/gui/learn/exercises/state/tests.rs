@@ -18,7 +18,7 @@ fn a_list_without_brackets_is_a_whole_vector() {
 }
 
 #[test]
-fn what_is_practised_next_is_not_what_is_worked_on_and_goes_on_with_what_was_typed() {
+fn the_next_exercise_is_not_the_open_one_and_keeps_typed_answers() {
     let mut state = Exercises::default();
     let next = |state: &Exercises| state.next(1_000).map(|(chosen, why)| (chosen.id, chosen.seed, why));
     // In the order of the lessons.
