@@ -138,7 +138,7 @@ fn undo_and_redo_keep_what_the_camera_knows_beyond_its_parameters() {
 }
 
 #[test]
-fn what_is_not_a_camera_cannot_be_operated_on_and_stays_as_it_was_typed() {
+fn an_impossible_camera_stays_as_typed_and_takes_no_operation() {
     let mut document = Document::new(Figure::default(), None).unwrap();
     document.set_parameters(Parameters { near: 1e9, ..*document.draft() });
     let typed = *document.draft();

@@ -187,7 +187,7 @@ fn numbers_that_overflow_are_errors() {
 }
 
 #[test]
-fn what_overflows_follows_from_the_numbers_that_the_projection_uses() {
+fn an_overflow_names_the_numbers_that_the_projection_uses() {
     let keys = |found: CameraError| match found {
         CameraError::Overflow { keys, .. } => keys.iter().map(|key| key.name()).collect::<Vec<_>>(),
         other => panic!("{other:?}"),

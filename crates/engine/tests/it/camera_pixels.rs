@@ -99,7 +99,7 @@ fn the_focal_point_stays_in_the_middle_while_the_camera_goes_round_it() {
 }
 
 #[test]
-fn what_rounding_took_from_the_position_is_known_to_the_pipeline() {
+fn the_pipeline_knows_the_rounding_error_of_the_position() {
     let start = camera(|p| {
         p.focal_point = DVec3::new(1e6, 1e6, 0.0);
         p.position = p.focal_point + DVec3::new(1.0, 2.0, 5.0);

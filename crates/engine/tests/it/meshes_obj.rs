@@ -185,7 +185,7 @@ fn broken_obj_files_are_refused_with_the_line() {
 
 /// Lines of exporters that readers take: the surface is read, and a notice names the rest.
 #[test]
-fn what_other_programs_write_is_read_with_a_notice() {
+fn files_of_other_programs_are_read_with_a_notice() {
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     let read = |rest: &str| {
         let scene = obj(&format!("{triangle}{rest}")).unwrap();

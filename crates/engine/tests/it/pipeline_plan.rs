@@ -173,7 +173,7 @@ fn a_stage_that_was_left_with_no_face_says_so() {
 }
 
 #[test]
-fn light_at_vertices_and_at_pixels_are_told_apart() {
+fn light_at_vertices_and_at_pixels_has_separate_reasons() {
     let mut scene = only(object(cube(), at(-4.0)));
     scene.lights.push(Light::directional(DVec3::NEG_Z));
     let colors = vec![CLAY; scene.objects[0].mesh.positions.len()];

@@ -329,7 +329,7 @@ fn measuring() -> Rasterizer {
 }
 
 #[test]
-fn what_is_counted_is_what_happens() {
+fn counts_agree_with_the_work_done() {
     let mut random = Random(71);
     for (cells, antialias, samples) in [(4, 1, 1), (11, 1, 1), (70, 1, 1), (4, 4, 4), (40, 4, 4), (13, 16, 16)] {
         // Every sample once, and again behind that: covered twice and written once; and a triangle outside.

@@ -68,7 +68,7 @@ proptest! {
 }
 
 #[test]
-fn what_a_matrix_does_not_hold_is_said() {
+fn parameters_that_a_matrix_does_not_hold_are_listed() {
     let camera = camera(|p| p.position = DVec3::new(3.0, 4.0, 5.0));
     let unknown = |kind, matrix| recover(kind, matrix, Ndc::default(), camera.parameters()).unwrap().unknown;
     assert_eq!(
@@ -100,7 +100,7 @@ fn what_a_matrix_does_not_hold_is_said() {
 }
 
 #[test]
-fn what_no_camera_has_is_named() {
+fn matrices_of_no_camera_are_refused_with_the_reason() {
     let current = Parameters::default();
     let window = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
     let camera = Camera::new(&Parameters { window, near: 1.0, far: 9.0, ..current }).unwrap();

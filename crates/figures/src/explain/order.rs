@@ -373,7 +373,7 @@ mod tests {
     }
 
     #[test]
-    fn what_commutes_is_said_to() {
+    fn commuting_transforms_are_recognised() {
         let commutes = |a: Call, b: Call| {
             let calls = [a, b];
             same(&product(&calls).unwrap(), &product(&exchanged(&calls, [0, 1])).unwrap())

@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn an_eye_looks_as_it_is_told_and_what_is_in_front_follows_the_pointer_also_where_it_is_rolled() {
+    fn an_eye_looks_the_given_way_and_a_point_ahead_follows_the_pointer() {
         let any =
             Observer { target: DVec3::ONE, distance: 7.0, azimuth: 0.0, elevation: 0.0, roll: 3.0, parallel: false };
         for (right, back) in [

@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_behind_has_no_place() {
+    fn points_behind_the_eye_have_no_place() {
         let s = screen(Projection::Perspective);
         assert_eq!(s.place(s.camera().position() + s.camera().basis().n), None);
     }

@@ -65,7 +65,7 @@ fn a_mirrored_object_keeps_its_outside() {
 }
 
 #[test]
-fn what_is_cut_ends_in_the_faces_of_the_volume() {
+fn clipped_edges_end_in_the_faces_of_the_volume() {
     let camera = eye(Projection::Perspective);
     for place in [at(0.0, 0.0, -1.0), at(5.0, 2.0, -3.0), at(-7.5, 0.0, -9.0), at(0.1, 0.2, -0.9)] {
         let clipped = clipped_scene(&only(object(cube(), place)), &camera, Shading::Gouraud);
@@ -153,7 +153,7 @@ fn an_oblique_window_agrees_with_its_matrix() {
 }
 
 #[test]
-fn what_is_left_of_edges_beyond_all_proportion_to_the_volume_is_in_it() {
+fn clipped_parts_of_huge_edges_lie_in_the_volume() {
     // Rounding where an edge of these meets the near plane is up to a million times as wide as the window there, and of
     // any sign.
     let mut state = 1_u64;

@@ -97,7 +97,7 @@ fn no_texel_bleeds_over_the_border_where_it_is_to_go_on() {
 }
 
 #[test]
-fn a_picture_goes_on_as_it_is_told() {
+fn wrapping_follows_the_settings_of_the_texture() {
     let image = map();
     let nearest = |wrap| Sampler { wrap_u: wrap, wrap_v: wrap, filter: Filter::Nearest, reveal: None };
     let corners = vec![[0.0, 0.0, 0.5], [64.0, 0.0, 0.5], [64.0, 64.0, 0.5], [0.0, 64.0, 0.5]];
@@ -393,7 +393,7 @@ fn every_format_is_read() {
 
 /// Whatever a file is made of, it is a whole picture, or its object keeps its colour and says why.
 #[test]
-fn broken_pictures_are_told_and_do_no_harm() {
+fn broken_pictures_give_a_notice_and_do_no_harm() {
     let mut random = Random(8);
     for round in 0..4000 {
         let (file, bytes) = PICTURES[round % PICTURES.len()];

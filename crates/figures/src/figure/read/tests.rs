@@ -416,7 +416,7 @@ fn syntax_errors_name_line_and_key() {
 }
 
 #[test]
-fn what_is_there_twice_is_named() {
+fn duplicate_keys_are_named() {
     assert_eq!(error("[camera]\nnear = 1\nnear = 2\n"), (3, "[camera] near".into(), Problem::Duplicate));
     assert_eq!(error("[camera]\nnear = 1\n[camera]\nfar = 2\n"), (3, "[camera]".into(), Problem::Duplicate));
     assert_eq!(error("a.b = 1\na.b = 2\n").2, Problem::Duplicate);

@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn where_the_ground_is_an_edge_they_move_in_the_picture() {
+    fn seen_along_the_ground_handles_move_in_the_picture() {
         with_picture(FRONT, |request, screen| {
             let c = request.camera.position();
             let goal = c + DVec3::new(1.0, 2.0, 0.0);

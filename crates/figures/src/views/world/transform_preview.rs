@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_faces_is_drawn_by_its_strokes() {
+    fn objects_without_faces_are_drawn_by_their_strokes() {
         use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape, build};
 
         let [a, b, c] = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0)];
