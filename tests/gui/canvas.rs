@@ -173,7 +173,7 @@ fn shift_and_the_right_button_move_the_picture_with_the_pointer() {
 }
 
 #[test]
-fn the_wheel_goes_nearer_to_what_is_under_the_pointer() {
+fn the_wheel_goes_nearer_to_the_point_under_the_pointer() {
     let mut h = stage(|_| ());
     let focal_point = handle(&h, Handle::FocalPoint);
     h.hover_at(focal_point + vec2(0.0, 14.0));
@@ -295,7 +295,7 @@ fn a_double_click_gives_a_picture_all_the_room_and_takes_it_back() {
 }
 
 #[test]
-fn only_what_has_changed_is_drawn_again() {
+fn only_changed_pictures_are_drawn_again() {
     let mut h = stage(|_| ());
     let drawn = h.state().canvas.drawn();
     assert!(drawn.iter().all(|&n| n >= 1));

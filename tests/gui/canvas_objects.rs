@@ -50,7 +50,7 @@ fn on_axis(harness: &Harness<Stage>, gizmo: TransformGizmo, axis: usize) -> Pos2
 }
 
 #[test]
-fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
+fn an_arrow_moves_the_selection_along_one_parent_axis_in_one_step() {
     let mut h = stage(with_cone);
     h.state_mut().state.model.desk.commit();
     let undoable = h.state().state.model.desk.can_undo(true);
@@ -136,7 +136,7 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
 }
 
 #[test]
-fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps() {
+fn a_ring_turns_and_a_bar_scales_the_selection_with_steps_on_a_key() {
     let mut h = stage(with_cone);
     h.state_mut().state.model.desk.commit();
     let cone = |h: &Harness<Stage>| h.state().state.model.desk.shown.figure().scene.objects[1].clone();

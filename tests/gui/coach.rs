@@ -32,7 +32,7 @@ fn settled(window: &mut Window) {
 }
 
 #[test]
-fn an_empty_image_says_why_and_one_click_shows_what_was_missing() {
+fn an_empty_image_says_why_and_one_click_shows_the_missing_objects() {
     for (lang, why) in [(Lang::En, "behind the camera"), (Lang::PtBr, "atrás da câmera")] {
         let button = coach::texts(lang).show_it;
         let mut window = window(lang);
@@ -124,7 +124,7 @@ fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
 
 /// While the coach looks at what has changed, a click on its button is the coach's all the same.
 #[test]
-fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
+fn a_click_is_the_coachs_even_while_it_examines_a_change() {
     let mut window = window(Lang::En);
     let place = |window: &Window, label: &str| window.harness.get_by_label(label).rect();
     let coach = place(&window, "Camera check: good").center();

@@ -88,7 +88,7 @@ fn without_a_far_plane_a_parallel_projection_keeps_it_and_says_so() {
 }
 
 #[test]
-fn rows_and_the_left_hand_are_said() {
+fn row_vectors_and_the_left_hand_have_their_notes() {
     let mut window = window(Lang::En);
     window.click(en::CONVENTIONS.row_vectors);
     assert!(window.says("Every matrix is transposed"));

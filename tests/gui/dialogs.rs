@@ -390,7 +390,7 @@ fn the_export_dialog_has_the_rows_that_its_choices_need() {
 }
 
 #[test]
-fn the_export_dialog_proposes_what_is_shown_and_forgets_a_cancelled_family() {
+fn the_export_dialog_proposes_the_shown_view_and_forgets_families() {
     let mut window = Window::new(Lang::En);
     let proposed = |window: &mut Window| {
         window.command_key(Key::E);
@@ -510,7 +510,7 @@ fn a_code_without_an_address_asks_for_one_and_a_link_does_not() {
 
 /// A click beside a form does nothing, Esc closes it, and it opens again as it was.
 #[test]
-fn forms_keep_what_you_typed_and_chose() {
+fn forms_keep_typed_and_chosen_values() {
     let shown = |window: &Window| window.state().file_flow.dialog.clone();
     let mut window = Window::new(Lang::En);
     let (t, words) = (en::WINDOW, handouts::texts(Lang::En));

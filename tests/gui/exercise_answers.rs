@@ -241,7 +241,7 @@ fn undoing_the_figure_of_an_exercise_leads_back_to_the_file_of_ones_own() {
 }
 
 #[test]
-fn enter_goes_on_to_what_is_empty_and_then_checks() {
+fn enter_goes_on_to_the_next_empty_field_and_then_checks() {
     let mut window = working_on("basis", 1, Lang::En);
     let (_, exercise) = made("basis", 1);
     let ask = exercise.asks.iter().find(|ask| ask.name == "u").unwrap();

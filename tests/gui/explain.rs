@@ -309,7 +309,7 @@ fn the_entries_of_m_m_light_up_translation_rotation_and_scale() {
 }
 
 #[test]
-fn the_fields_of_an_object_mark_what_depends_on_them_and_light_up_the_world() {
+fn fields_of_an_object_mark_dependent_entries_and_light_up_the_world() {
     let mut window = with_object(Lang::PtBr);
     let t = camera_lab_words::window::scenes::texts(Lang::PtBr);
     let places = ["linha 1, coluna 1", "linha 2, coluna 2", "linha 2, coluna 4", "linha 4, coluna 4"]
@@ -340,7 +340,7 @@ fn the_fields_of_an_object_mark_what_depends_on_them_and_light_up_the_world() {
 }
 
 #[test]
-fn the_fields_of_image_and_viewport_mark_what_depends_on_them() {
+fn the_fields_of_image_and_viewport_mark_dependent_entries() {
     let mut window = explaining(Lang::En);
     window.click("M_vp");
     let places = ["row 1, column 1", "row 2, column 2", "row 3, column 3"]
@@ -392,7 +392,7 @@ fn a_matrix_without_an_inverse_says_so_in_the_place_of_numbers_that_are_none() {
 }
 
 #[test]
-fn each_question_opens_where_it_was_left_also_in_the_next_window() {
+fn each_question_reopens_where_you_left_it_also_in_the_next_window() {
     let folder = Folder::new("questions");
     let keeping = || {
         let mut window = Window::new(Lang::En);

@@ -57,7 +57,7 @@ fn undo_of_the_camera_leaves_the_step_of_the_triangle_where_it_is() {
 }
 
 #[test]
-fn esc_lets_go_of_what_a_file_brought_and_a_presentation_keeps_it() {
+fn esc_leaves_a_presentation_before_it_clears_the_marks_of_a_file() {
     let mut window = window("explained-esc", "measure = [\"F\"]\npainted = 0.5");
     let near = vec![Measured::Dimension(Measure::Near)];
     window.app_mut().state.model.settings.presentation = true;

@@ -194,7 +194,7 @@ fn changes_are_asked_about_and_esc_leaves_everything_as_it_was() {
 }
 
 #[test]
-fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
+fn recent_files_are_offered_and_missing_ones_are_marked() {
     let folder = Folder::new("recent");
     let [here, gone] = ["here.toml", "gone.toml"].map(|name| folder.file(name));
     let mut window = Window::new(Lang::En);
@@ -219,7 +219,7 @@ fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
 }
 
 #[test]
-fn a_folder_shows_its_figures_in_natural_order_and_what_is_wrong_with_one() {
+fn a_folder_shows_its_figures_in_natural_order_and_names_errors() {
     let folder = Folder::new("folder");
     for (name, text) in [
         ("aula 10.toml", "[scene]\npreset = \"cube\"\n"),

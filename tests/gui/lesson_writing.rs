@@ -421,7 +421,7 @@ fn a_question_with_choices_is_made_in_the_window() {
 
 /// Without a lesson, writing begins with what is on the screen.
 #[test]
-fn writing_begins_a_lesson_with_what_is_on_the_screen() {
+fn writing_begins_a_lesson_with_the_figure_on_the_screen() {
     let folder = Folder::new("begin-writing");
     let path = folder.file("first.toml");
     let mut window = Window::new(Lang::En);

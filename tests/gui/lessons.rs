@@ -511,7 +511,7 @@ fn links_of_a_text_open_pages_and_no_files() {
 }
 
 #[test]
-fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
+fn work_in_a_step_waits_there_and_mere_trials_do_not() {
     let mut window = playing(0, 0, Lang::En);
     let camera = *window.state().model.desk.shown.camera().parameters();
     let tried = camera_lab::camera::Parameters { far: 77.0, ..camera };

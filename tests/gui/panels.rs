@@ -468,7 +468,7 @@ fn a_number_of_pixels_that_cannot_be_stays_as_it_was_typed_with_its_reason() {
 }
 
 #[test]
-fn digits_and_steps_that_cannot_be_are_said() {
+fn impossible_digits_and_steps_show_their_range() {
     let mut window = Window::new(Lang::PtBr);
     window.enter(pt::WINDOW.digits, "18");
     assert!(window.says("tem de estar entre 2 e 17"));

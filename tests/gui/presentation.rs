@@ -62,7 +62,7 @@ fn a_presentation_says_title_and_caption_and_shows_each_figure_as_it_wants() {
 }
 
 #[test]
-fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes_back() {
+fn figures_follow_each_other_and_changes_are_there_on_return() {
     let folder = Folder::new("lecture");
     let mut window = lecture(&folder);
     window.key(Key::F11);
@@ -182,7 +182,7 @@ fn outside_of_a_presentation_the_keys_are_those_of_the_menu_and_a_new_figure_is_
 }
 
 #[test]
-fn escape_clears_what_lies_over_the_pictures_and_then_leaves() {
+fn escape_clears_the_overlays_and_then_leaves() {
     let mut window = Window::new(Lang::En);
     window.key(Key::F11);
     window.key(Key::P);

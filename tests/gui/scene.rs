@@ -184,7 +184,7 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
 }
 
 #[test]
-fn a_light_gets_shadows_their_numbers_and_what_they_show() {
+fn a_light_gets_shadows_with_their_numbers_and_options() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "directional light");
     let shadows = |window: &Window| window.state().model.desk.shown.figure().scene.lights[0].shadows;
@@ -291,7 +291,7 @@ fn a_row_is_dragged_onto_its_new_parent_in_one_step() {
 }
 
 #[test]
-fn deleting_asks_what_becomes_of_the_children() {
+fn deleting_asks_about_the_children() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "group");
     window.add("Add", "box");

@@ -95,7 +95,7 @@ fn explanations_come_back_although_the_figure_has_not_changed() {
 }
 
 #[test]
-fn a_session_is_seen_from_where_it_was_also_where_nobody_had_turned_the_picture() {
+fn a_session_keeps_its_view_even_if_the_picture_was_never_turned() {
     let folder = Folder::new("seen");
     let mut window = world(&folder, false);
     // The picture stays where it is while the camera turns.
@@ -142,7 +142,7 @@ fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
 }
 
 #[test]
-fn a_start_with_a_file_lists_what_was_left() {
+fn a_start_with_a_file_lists_left_sessions() {
     for lang in [Lang::En, Lang::PtBr] {
         let folder = Folder::new("listed");
         leave(&folder, "a.toml", "75.0");

@@ -205,7 +205,7 @@ fn stages_are_reached_shown_and_explained_by_keyboard() {
 }
 
 #[test]
-fn in_the_world_a_stage_of_the_image_shows_what_belongs_to_it() {
+fn in_the_world_a_stage_of_the_image_shows_its_objects() {
     let mut window = with_house(Lang::En);
     window.app_mut().state.model.layout.maximized = Some(View::World);
     window.app_mut().state.model.layout.strip = true;

@@ -160,7 +160,7 @@ fn depths_are_resolved_as_the_theory_predicts() {
 }
 
 #[test]
-fn dividing_first_is_wrong_only_where_a_segment_passes_the_eye() {
+fn dividing_first_is_wrong_only_if_a_segment_passes_the_eye() {
     let findings = findings(Study::Clipping);
     for behind in [1e-9, 1.0, 1e6] {
         for method in ["f64 after the divide", "f64 before the divide", OWN] {
@@ -173,7 +173,7 @@ fn dividing_first_is_wrong_only_where_a_segment_passes_the_eye() {
 }
 
 #[test]
-fn a_study_that_is_cancelled_ends_with_what_it_has() {
+fn a_cancelled_study_ends_with_its_partial_results() {
     let progress = Progress::default();
     progress.cancel();
     let effort = Effort { seed: 1, seconds: 60.0, thorough: true };
@@ -183,7 +183,7 @@ fn a_study_that_is_cancelled_ends_with_what_it_has() {
 }
 
 #[test]
-fn the_command_prints_json_csv_and_tables_and_says_what_it_does_not_understand() {
+fn the_command_prints_json_csv_and_tables_and_refuses_unknown_words() {
     let bench = Bench::new("accuracy");
     let run = |more: &[&str]| {
         bench.run(&[&["accuracy", "--study", "clipping", "--seconds", "0", "--seed", "3"][..], more].concat())
@@ -235,7 +235,7 @@ fn plots_are_files_of_their_kind() {
 /// Of three bars each over the next no order of whole faces is right; a depth buffer and a BSP, which cuts them, are
 /// right but for edges.
 #[test]
-fn the_painter_fails_where_surfaces_interlock_and_depth_buffers_where_steps_are_coarse() {
+fn interlocking_surfaces_break_the_painter_and_coarse_steps_the_buffer() {
     let findings = findings(Study::Visibility);
     let error = |case, ratio, method| row(findings, case, ratio, method).error;
     for case in ["cyclic overlap", "interpenetrating"] {
@@ -276,7 +276,7 @@ fn more_samples_come_nearer_to_the_area() {
 
 /// One sample of a texel of many flickers, the levels of detail keep the mean, and a magnified chequer has sharp edges.
 #[test]
-fn levels_of_detail_keep_the_light_where_single_texels_flicker() {
+fn levels_of_detail_keep_the_light_while_single_texels_flicker() {
     let findings = findings(Study::TextureFilter);
     for case in ["floor from above", "slanted floor", "grazing floor"] {
         let error = |scale, method| row(findings, case, scale, method).error;

@@ -16,7 +16,7 @@ fn sparse(bench: &Bench, name: &str, start: &[u8], size: u64) {
 }
 
 #[test]
-fn each_reader_refuses_what_is_larger_than_its_limit_and_names_the_limit() {
+fn each_reader_refuses_larger_input_and_names_its_limit() {
     const MIB: u64 = 1 << 20;
     let bench = Bench::new("limits");
     bench.write("figure.toml", "[scene]\npreset = \"cube\"\n");

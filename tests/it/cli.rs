@@ -165,7 +165,7 @@ fn a_picture_measured_in_points_has_its_density() {
 }
 
 #[test]
-fn three_pictures_on_small_paper_are_arranged_and_said_to_be_small() {
+fn three_pictures_on_small_paper_are_arranged_with_a_notice() {
     let bench = bench("sheet");
     let all = |arguments: &[&str]| {
         bench.run(&[&["render", "figure.toml", "--view", "all", "-o", "a.png", "--width-cm"], arguments].concat())

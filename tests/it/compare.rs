@@ -72,7 +72,7 @@ fn left_of_the_wiper_is_one_picture_and_right_of_it_the_other() {
 }
 
 #[test]
-fn hidden_lines_are_compared_but_for_what_is_painted_on_faces_and_grids() {
+fn hidden_lines_are_compared_except_for_marks_on_faces_and_grids() {
     let text = "[scene]\npreset = \"cube\"\n[[scene.objects]]\nname = \"g\"\nshape = \"grid\"\nscale = [3, 1, 3]\n\
         translate = [0, -0.5, 0]\n";
     let mut renderer = Renderer::default();
@@ -147,7 +147,7 @@ fn two_halves_have_a_whole_picture_each() {
 }
 
 #[test]
-fn both_boxes_of_two_conventions_are_in_the_picture_and_what_looks_alike_is_not_compared() {
+fn both_boxes_of_two_conventions_show_and_equal_sides_do_not() {
     let figure = compared(Comparison::of_key("show.ndc", "\"direct3d\""));
     assert!(request(&figure, View::World).sides().is_none() && request(&figure, View::Image).sides().is_none());
     let [own, other] = request(&figure, View::Canonical).sides().unwrap();
@@ -301,7 +301,7 @@ fn differing(one: &Pixels, other: &Pixels) -> usize {
 }
 
 #[test]
-fn planes_fight_in_the_image_where_depths_have_few_bits() {
+fn planes_fight_in_the_image_if_depths_have_few_bits() {
     let image = |format| request(&fighting(format), View::Image);
     let [fixed_16, fixed_24, float] = ["fixed-16", "fixed-24", "f32-reversed"].map(|format| drawn(&image(format)));
     let (coarse, fine) = (differing(&fixed_16, &float), differing(&fixed_24, &float));
@@ -361,7 +361,7 @@ fn caption_of(key: &str, value: Option<&str>, lang: Lang) -> String {
 }
 
 #[test]
-fn captions_say_in_words_what_a_figure_reveals() {
+fn captions_describe_in_words_the_options_of_reveal() {
     fn names<T>(list: words::Words<T>) -> Vec<Option<&'static str>> {
         std::iter::once(None).chain(list.iter().map(|(word, _)| Some(*word))).collect()
     }

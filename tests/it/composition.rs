@@ -156,7 +156,7 @@ fn a_far_plane_that_would_dwarf_the_scene_is_drawn_nearer_and_says_so() {
 }
 
 #[test]
-fn an_observer_that_nobody_turned_keeps_clear_of_dop_u_v_and_n() {
+fn an_automatic_observer_keeps_clear_of_dop_u_v_and_n() {
     let (_, figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
     let mut request = world(&figure, &scene, (640, 480));
     for step in 1..=24 {
@@ -330,7 +330,7 @@ fn the_section_constructs_the_image_of_a_point_by_similar_triangles() {
 }
 
 #[test]
-fn the_section_takes_the_p_of_the_scene_where_it_has_an_image_and_names_a_vertex_otherwise() {
+fn the_section_takes_the_scenes_p_if_it_has_an_image_else_a_vertex() {
     let mut figure = Figure::of_preset(camera_lab::scene::Preset::Exercise51);
     let scene =
         SharedScene::new(views::scene_of(&figure, &mut camera_lab::scene::no_files, &Progress::default()).unwrap());
@@ -349,7 +349,7 @@ fn the_section_takes_the_p_of_the_scene_where_it_has_an_image_and_names_a_vertex
 }
 
 #[test]
-fn the_painted_window_fades_where_it_would_hide_the_scene_and_as_the_figure_says() {
+fn the_painted_window_fades_if_it_would_hide_the_scene() {
     let (_, figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
     let opacity = |figure: &Figure| {
         let request = world(figure, &scene, (480, 400));

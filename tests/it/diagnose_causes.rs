@@ -300,7 +300,7 @@ fn a_floor_around_an_eye_that_looks_up_is_not_in_the_picture() {
 
 /// Beyond B and to the left: neither alone would show it, and what is done about the first does both.
 #[test]
-fn two_causes_are_both_said_and_undone_together() {
+fn two_causes_are_both_named_and_undone_together() {
     let p = Parameters { position: DVec3::ZERO, focal_point: DVec3::NEG_Z, far: 20.0, ..Parameters::default() };
     let thing = ObjectSpec::new("thing", Shape::Sphere).at(-40.0, 0.0, -30.0);
     let scene = scene(vec![thing]);

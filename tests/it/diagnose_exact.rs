@@ -152,7 +152,7 @@ fn an_impossible_camera_is_a_finding_with_a_repair() {
 }
 
 #[test]
-fn a_refused_camera_names_the_way_to_get_what_it_asks_for() {
+fn a_refused_camera_names_the_convention_that_allows_it() {
     let bench = Bench::new("diagnose-way-out");
     for lang in ["en", "pt-BR"] {
         for (camera, way) in [("far = inf", "-infinite"), ("near = 100\nfar = 0.1", "-reversed")] {

@@ -318,7 +318,7 @@ fn vup_that_was_not_turned_is_recognised() {
 
 /// A18, A19, A20.
 #[test]
-fn several_causes_are_all_said_the_likelier_first() {
+fn several_causes_are_listed_the_likelier_first() {
     let told = verdict("0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]");
     assert!(told.starts_with("sign|") && is_one_of(&told, "n-reversed"), "{told}");
     let said = text("0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", Lang::En);

@@ -223,7 +223,7 @@ fn cameras_that_are_to_be_found_have_a_way() {
 
 /// B12.
 #[test]
-fn an_operation_that_the_notes_do_not_have_cites_what_it_follows_from() {
+fn an_operation_not_in_the_notes_cites_its_derivation() {
     for (id, source) in [("dolly", "[0] §5.2, (5.2)"), ("pan", "[0] §5.2, (5.3)"), ("zoom-or-dolly", "[0] §5.6, (5.5)")]
     {
         assert_eq!(entry(id).unwrap().source, source, "{id}");

@@ -106,7 +106,7 @@ fn yes_and_no_are_also_typed_as_inspect_writes_them() {
 }
 
 #[test]
-fn the_quantity_is_what_inspect_says() {
+fn the_quantity_agrees_with_inspect() {
     // Few of the cameras that make it hard are among the first; it costs little.
     all_of(10 * seeds(), |entry, exercise| {
         for ask in &exercise.asks {
@@ -464,7 +464,7 @@ fn the_figures_of_the_notes_exercises_are_those_of_the_gallery_and_hold_no_answe
 
 /// B14.
 #[test]
-fn statements_say_where_the_notes_have_it_otherwise() {
+fn statements_name_differences_from_the_notes() {
     for (id, en, pt) in [
         ("yaw", "exchanges the axes of yaw and pitch", "troca os eixos de guinada e arfagem"),
         ("pitch", "exchanges the axes of yaw and pitch", "troca os eixos de guinada e arfagem"),

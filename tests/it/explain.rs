@@ -153,7 +153,7 @@ fn forced_stages_all_run() {
 }
 
 #[test]
-fn the_table_says_what_is_left_out_and_why_in_both_languages() {
+fn the_table_lists_the_skipped_stages_and_why_in_both_languages() {
     let bench = Bench::new("explain-table");
     figure(&bench, "");
     let table = |lang: &str| {
@@ -171,7 +171,7 @@ fn the_table_says_what_is_left_out_and_why_in_both_languages() {
 }
 
 #[test]
-fn a_bench_measures_what_it_was_asked_for() {
+fn a_bench_reports_the_requested_view_size_and_frames() {
     let bench = Bench::new("bench-json");
     figure(&bench, "[scene]\npreset = \"cube\"");
     for (view, size, [width, height]) in [("image", None, [64, 48]), ("all", Some("200x50"), [200, 50])] {

@@ -77,7 +77,7 @@ fn nothing_is_blank_nan_or_crowded_past_reading() {
 }
 
 #[test]
-fn the_world_has_the_camera_and_names_what_it_shows() {
+fn the_world_shows_the_camera_and_names_its_parts() {
     for figure in extreme() {
         let drawing = drawing(figure, View::World, Lang::En);
         let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();

@@ -126,7 +126,7 @@ fn has(text: &str, term: &str) -> bool {
 }
 
 #[test]
-fn texts_say_what_the_glossary_says() {
+fn texts_use_the_terms_of_the_glossary() {
     let rows = rows();
     assert!(rows.len() >= 40, "{}", rows.len());
     let figures = ["assets/figures", "assets/figures/pipeline", "assets/figures/extreme", "docs/figures"]

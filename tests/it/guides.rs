@@ -64,7 +64,7 @@ fn done(freedom: Freedom, lang: Lang) -> [String; 3] {
 }
 
 #[test]
-fn the_table_of_operations_is_what_operations_do() {
+fn the_table_of_operations_agrees_with_the_operations() {
     for (lang, guide, heading) in STUDENT {
         let t = window::texts(lang);
         let name = |freedom| match freedom {

@@ -85,7 +85,7 @@ fn labels_are_hidden_renamed_moved_and_styled_and_notes_are_added() {
 }
 
 #[test]
-fn labels_stay_with_what_they_name_when_the_camera_moves() {
+fn labels_stay_with_their_objects_when_the_camera_moves() {
     let text = |position: &str| format!("{}{LABELS}", FIGURE.replace("near", &format!("position = {position}\nnear")));
     let mut places = Vec::new();
     for position in ["[3, 4, 5]", "[-4, 3, 4]"] {

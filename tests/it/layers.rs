@@ -218,7 +218,7 @@ fn sources(folder: &str) -> Vec<(String, String)> {
 
 /// An unused permission is a fault too.
 #[test]
-fn modules_use_what_the_table_allows_and_nothing_else() {
+fn modules_use_only_the_imports_that_the_table_allows() {
     let mut faults = Vec::new();
     for (folder, table) in CRATES {
         let mut unused: BTreeSet<(&str, &str)> =

@@ -64,7 +64,7 @@ fn a_missing_texture_is_a_fault_of_the_lesson() {
 }
 
 #[test]
-fn goals_that_nobody_can_reach_and_too_many_conditions_are_refused() {
+fn unreachable_goals_and_too_many_conditions_are_refused() {
     let bench = Bench::new("lesson-goals");
     let goal = |until: &str| {
         lesson(&format!(

@@ -50,7 +50,7 @@ message = "It is."
 "#;
 
 #[test]
-fn a_step_has_all_of_the_steps_before_but_what_it_changes() {
+fn a_step_keeps_all_of_the_steps_before_except_its_changes() {
     let lesson = parse(LESSON).unwrap();
     let [one, two] = &lesson.steps[..] else { panic!("two steps") };
     assert_eq!((one.figure.camera.near, two.figure.camera.near), (1.0, 2.0));
@@ -100,7 +100,7 @@ fn with_goal(condition: &str) -> String {
 }
 
 #[test]
-fn goals_are_about_what_is_seen_about_numbers_and_about_every_key_of_the_figure() {
+fn goals_are_about_visibility_numbers_and_every_key_of_the_figure() {
     let mut seen = Seen::default();
     for (condition, way) in [
         ("key = \"style.visibility\"\nis = \"painter\"", &["style.visibility=painter"][..]),

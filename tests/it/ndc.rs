@@ -351,7 +351,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 192, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn near_far_and_corners_land_where_they_must_and_come_back(camera in any_camera()) {
+    fn near_far_and_corners_land_on_the_box_and_come_back(camera in any_camera()) {
         check(&camera)?;
     }
 

@@ -120,7 +120,7 @@ fn it_covers_the_pixels_whose_centres_lie_in_it() {
 }
 
 #[test]
-fn the_nearer_one_is_kept_and_the_buffer_holds_what_was_drawn_before() {
+fn the_nearer_one_is_kept_and_the_buffer_holds_earlier_objects() {
     let at = |d: f64| [[-d, -d, -d], [d, -d, -d], [0.0, d, -d]];
     let objects = [2.0, 4.0, 3.0].map(|d| object(&format!("at {d}"), &[at(d)], DMat4::IDENTITY));
     let request = request(objects.to_vec());

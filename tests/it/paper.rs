@@ -50,7 +50,7 @@ fn impossible_paper_options_are_refused_by_name_and_range() {
 }
 
 #[test]
-fn three_pictures_without_room_are_said_to_want_smaller_letters() {
+fn three_pictures_without_room_ask_for_smaller_letters() {
     let bench = bench("paper-room");
     let all = |more: &[&str]| bench.run(&[&["render", "figure.toml", "--view", "all", "-o", "o.png"], more].concat());
     let run = all(&["--size", "80x60", "--letters", "100"]);

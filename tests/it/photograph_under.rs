@@ -88,7 +88,7 @@ const SEEN: [([usize; 2], [u8; 3]); 6] =
 const ON_BOX: [[usize; 2]; 3] = [[72, 52], [84, 60], [90, 66]];
 
 #[test]
-fn a_photograph_shows_where_nothing_is_and_not_through_what_is_there() {
+fn a_photograph_shows_in_empty_places_and_not_through_objects() {
     let bench = bench("photograph-under");
     // In each way to find what is hidden: one box needs no depths, and glass is drawn after all that is not.
     let glass = format!("{BOX}[[scene.objects]]\nshape = \"sphere\"\nname = \"s\"\ntranslate = [0, 2.2, 0]\n");

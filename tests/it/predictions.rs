@@ -304,7 +304,7 @@ fn the_mark_on_the_highlight_is_where_the_ball_is_brightest() {
 }
 
 #[test]
-fn each_lesson_asks_for_a_place_and_shows_what_it_asks() {
+fn each_lesson_asks_for_a_place_and_shows_its_answer() {
     let mut shown = 0;
     for shipped in shipped() {
         let lesson = &shipped.lesson;

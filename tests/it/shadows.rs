@@ -464,7 +464,7 @@ fn a_map_is_kept_while_neither_light_nor_scene_changes() {
 }
 
 #[test]
-fn the_stage_runs_only_where_a_shadow_may_fall() {
+fn the_stage_runs_only_if_a_shadow_may_fall() {
     let figure = parse(TABLE).unwrap();
     let (scene, camera) = white(&figure, sun());
     let size = ImageSize { width: 80, height: 60 };
@@ -555,7 +555,7 @@ shadow_softness = 0
 "#;
 
 #[test]
-fn marked_pixels_are_those_where_rays_one_by_one_say_something_else_than_the_map() {
+fn marked_pixels_are_those_in_which_ray_and_map_disagree() {
     let size = ImageSize { width: 120, height: 90 };
     for bias in ["0", "100"] {
         let text = format!("{TABLE}{}", LIT.replace("BIAS", bias));

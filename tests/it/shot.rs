@@ -175,7 +175,7 @@ fn impossible_shows_are_refused_with_line_key_and_allowed_values() {
 
 /// What `render` writes is the same from a file, from a link, from the PNG that it wrote, and from arguments.
 #[test]
-fn render_draws_what_is_shown_and_arguments_override_it() {
+fn render_draws_the_show_table_and_arguments_override_it() {
     let bench = Bench::new("shot");
     let shown = "[show]\nstage = \"clip\"\nprobe = { pixel = [512, 300] }\n[scene]\npreset = \"house\"\n";
     bench.write("shown.toml", shown);

@@ -166,7 +166,7 @@ fn every_stage_is_shown_in_every_picture() {
 /// What a stage drops is shown in another colour and counted by none: the stages say the same of the picture as without
 /// it.
 #[test]
-fn faces_that_show_a_stage_are_counted_by_none_also_where_depths_are_shown() {
+fn faces_that_show_a_stage_are_not_counted_even_with_depths_shown() {
     for depth in [Depth::Off, Depth::Stored] {
         let plain = request(2.0).with_shot(|shot| shot.look.reveal.depth = depth);
         let accounts = |request: &Request| {

@@ -136,7 +136,7 @@ fn hidden_surfaces_by_depth_where_faces_cross() {
 }
 
 #[test]
-fn blending_shows_what_is_behind() {
+fn blending_shows_the_surface_behind() {
     let figure = "[camera]\nposition = [1.2, 1.4, 5]\nview_angle = 30\nnear = 2\nfar = 9\n\
                   [[scene.objects]]\nname = \"solid\"\nshape = \"box\"\ntranslate = [-0.3, 0, -0.8]\ncolor = \"#ee8866\"\n\
                   [[scene.objects]]\nname = \"glass\"\nshape = \"sphere\"\ntranslate = [0.2, 0, 0.4]\ncolor = \"#4477aa80\"\n";

@@ -3,7 +3,7 @@
 use crate::stress_case::{Tried, case};
 
 #[test]
-fn no_camera_operation_or_scene_breaks_what_must_be_true() {
+fn no_camera_operation_or_scene_breaks_an_invariant() {
     let mut tried = Tried::default();
     for k in 0..20_000 {
         if let Err(what) = case(20_261_122, k, 100, &mut tried) {

@@ -113,7 +113,7 @@ fn difference(one: &[u8], other: &[u8]) -> (f64, f64) {
 }
 
 #[test]
-fn vectors_show_what_pixels_show_in_every_shipped_figure_view_and_theme() {
+fn vectors_agree_with_pixels_in_every_shipped_figure_view_and_theme() {
     let bench = bench_with_fonts("vectors-shipped");
     let jobs: Vec<_> = SHIPPED_FIGURES.iter().flat_map(|figure| View::ALL.map(|view| (figure, view))).collect();
     let worst: Vec<String> = jobs
@@ -135,7 +135,7 @@ fn vectors_show_what_pixels_show_in_every_shipped_figure_view_and_theme() {
 }
 
 #[test]
-fn poppler_shows_what_pixels_show_and_finds_every_name() {
+fn poppler_agrees_with_the_pixels_and_finds_every_name() {
     if !has("pdftoppm") || !has("pdftotext") {
         return;
     }
@@ -360,7 +360,7 @@ fn areas_have_no_gaps_between_neighbours_at_any_zoom() {
 }
 
 #[test]
-fn the_command_line_writes_vectors_and_says_what_it_could_not() {
+fn the_command_line_writes_vectors_and_reports_parts_left_out() {
     let bench = Bench::new("vectors-cli");
     bench.write("a.toml", "[scene]\npreset = \"house\"\n[style]\nshading = \"gouraud\"\n");
     let run = bench.run(&["render", "a.toml", "--faces", "vector", "--size", "200x150", "-o", "a.svg"]);

@@ -321,7 +321,7 @@ fn one_probe_marks_the_same_point_in_all_three() {
 }
 
 #[test]
-fn a_pixels_ray_ends_on_what_the_pixel_shows() {
+fn a_pixels_ray_ends_on_the_surface_the_pixel_shows() {
     // The ray through the middle of the window is the axis of projection: it meets the cube about PF where the axis
     // does.
     let mut figure = figure(|c| (c.position, c.near, c.far) = (DVec3::new(0.0, 0.0, 6.0), 2.0, 12.0));

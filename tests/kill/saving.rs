@@ -104,7 +104,7 @@ fn can_trace() -> bool {
 }
 
 #[test]
-fn a_file_is_whole_where_the_program_is_killed_at_a_system_call() {
+fn a_file_is_whole_after_a_kill_at_a_system_call() {
     if !can_trace() {
         eprintln!("left out: strace is not there, or may not trace");
         return;

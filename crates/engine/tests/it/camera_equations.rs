@@ -348,7 +348,7 @@ fn pyramid_of_the_exercises_on_spaces() {
 }
 
 #[test]
-fn the_table_of_equations_names_what_exists() {
+fn the_table_of_equations_names_existing_tests() {
     let mut open: Vec<PathBuf> = ["crates", "tests/it"].map(|path| Path::new(ROOT).join(path)).into();
     let mut sources = String::new();
     while let Some(path) = open.pop() {

@@ -213,7 +213,7 @@ fn ordinary_cameras_have_no_warnings() {
 }
 
 #[test]
-fn warnings_say_what_is_probably_not_meant() {
+fn warnings_name_probable_mistakes() {
     let codes =
         |change: fn(&mut Parameters)| -> Vec<&str> { camera(change).warnings().iter().map(Warning::code).collect() };
     assert_eq!(codes(|p| p.view_up = p.position + DVec3::X * 1e-10), ["view-up-nearly-collinear"]);

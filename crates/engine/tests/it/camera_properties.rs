@@ -106,7 +106,7 @@ proptest! {
     }
 
     #[test]
-    fn inside_is_what_the_clip_coordinates_say(camera in any_camera(), p in any_vector(12.0), t in -0.5..1.5, along in 0usize..8) {
+    fn inside_agrees_with_the_clip_coordinates(camera in any_camera(), p in any_vector(12.0), t in -0.5..1.5, along in 0usize..8) {
         let corners = camera.volume_corners();
         for point in [p, camera.position() + p, corners[along], corners[along].lerp(corners[(along + 3) % 8], t)] {
             if !point.is_finite() {

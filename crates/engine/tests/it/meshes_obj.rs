@@ -83,7 +83,7 @@ fn materials_that_alternate_make_one_part_each_in_the_order_of_the_file() {
 
 /// Names may hold a slash: it is not the name that tells what a part belongs to.
 #[test]
-fn a_part_belongs_to_its_object_also_where_another_object_is_called_like_it() {
+fn a_part_keeps_its_object_even_if_another_object_has_its_name() {
     let text = b"o block\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no lid\nf 1 3 2\n";
     let mut both = spec("m.obj");
     both.objects[0].name = "engine".to_owned();

@@ -86,7 +86,7 @@ fn wireframe_has_strokes_and_no_surfaces() {
 }
 
 #[test]
-fn objects_outside_are_not_there_and_what_crosses_stays_in_the_picture() {
+fn objects_outside_are_dropped_and_crossing_ones_stay() {
     let style = shading(Shading::Gouraud);
     for far_away in [DVec3::new(0.0, 0.0, 4.0), DVec3::new(30.0, 0.0, -4.0), DVec3::new(0.0, 0.0, -11.0)] {
         let scene = only(object(cube(), DMat4::from_translation(far_away)));

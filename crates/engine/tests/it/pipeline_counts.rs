@@ -30,7 +30,7 @@ fn counts(frame: &Frame, stage: Stage) -> Option<(usize, usize)> {
 }
 
 #[test]
-fn every_stage_says_what_went_in_and_what_came_out() {
+fn every_stage_counts_its_input_and_its_output() {
     let frame = frame(&cubes(), &shading(Shading::Gouraud));
     let expected = [
         (Stage::Traverse, (3, 3)),

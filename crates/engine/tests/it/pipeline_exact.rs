@@ -245,7 +245,7 @@ proptest! {
 }
 
 #[test]
-fn the_exact_clipper_is_right_where_one_can_see_it() {
+fn the_exact_clipper_is_right_in_a_case_worked_out_by_hand() {
     let eye = Eye { near: 1024, far: 9 * 1024, perspective: true, oblique: false };
     // (−1, 0, −2), (1, 0, −2) and a corner behind the eye at (0, 0, 1): cut at z = −1, x = ∓⅔.
     let polygon = exact_polygon(eye, [[-1024, 0, -2048], [1024, 0, -2048], [0, 0, 1024]]);

@@ -132,7 +132,7 @@ fn said(frame: &Frame, stage: Stage) -> (bool, Reason, Option<(usize, usize)>) {
 }
 
 #[test]
-fn back_faces_that_were_not_dropped_are_not_said_to_be() {
+fn back_faces_that_were_kept_are_not_reported_as_dropped() {
     let (camera, style) = (eye(Projection::Perspective), Style::default());
     // The near plane (z = −1) goes through the first cube: its inside shows.
     let mut scene = only(object(cube(), at(-1.5)));
