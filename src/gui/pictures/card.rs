@@ -248,7 +248,7 @@ mod tests {
     use eframe::egui::pos2;
 
     #[test]
-    fn a_card_stands_in_the_corner_that_is_farthest_from_what_it_speaks_of() {
+    fn a_card_stands_in_the_corner_farthest_from_its_point() {
         let room = Rect::from_min_size(pos2(10.0, 20.0), vec2(800.0, 600.0));
         let size = vec2(200.0, 100.0);
         let (left, right, top, bottom) = (18.0, 602.0, 28.0, 512.0);

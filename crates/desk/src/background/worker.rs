@@ -359,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn a_panic_resets_what_does_the_work_on_a_thread_and_in_the_frame() {
+    fn a_panic_resets_the_worker_on_a_thread_and_in_the_frame() {
         for mut worker in [doubling::<1>(), doubling::<1>().without_thread(&())] {
             assert_eq!(one(&mut worker, 4), Some((8, 1)));
             assert_eq!(one(&mut worker, 5), Some((10, 2)));

@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn with_w_the_floor_is_what_rays_see_and_without_it_is_not() {
+    fn only_with_w_the_floor_agrees_with_rays() {
         for projection in [Projection::Perspective, Projection::Parallel] {
             let camera =
                 Camera::new(&Parameters { projection, view_angle: 70.0, height: 8.0, ..Parameters::default() })

@@ -341,7 +341,7 @@ mod tests {
     }
 
     #[test]
-    fn pop_brings_back_what_push_has_kept() {
+    fn pop_brings_back_the_matrix_that_push_kept() {
         let calls = [
             Call::Translate(T),
             Call::Push,

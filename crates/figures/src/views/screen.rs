@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pixel_spans_what_it_says() {
+    fn units_per_pixel_move_a_point_by_one_pixel() {
         for projection in [Projection::Perspective, Projection::Parallel] {
             let s = screen(projection);
             let step = s.camera().basis().v * s.units_per_pixel(DVec3::ZERO);

@@ -85,7 +85,7 @@ fn border(wrap: Wrap, filter: Filter) -> [u8; 3] {
 }
 
 #[test]
-fn no_texel_bleeds_over_the_border_where_it_is_to_go_on() {
+fn texels_bleed_over_the_border_only_if_the_texture_repeats() {
     for filter in [Filter::Nearest, Filter::Bilinear, Filter::Trilinear] {
         assert_eq!(border(Wrap::Clamp, filter), [0, 0, 255], "{filter:?}");
         assert_eq!(border(Wrap::Mirror, filter), [0, 0, 255], "{filter:?}");

@@ -97,7 +97,7 @@ fn answers_kept_in_old_preferences_are_read_once() {
 }
 
 #[test]
-fn a_damaged_file_is_set_aside_and_said() {
+fn a_damaged_file_is_set_aside_and_reported() {
     for bytes in [&b"[exercise.basis]\ntries = \"two\"\n"[..], b"answers = [", &[0xff, 0x00]] {
         let folder = Folder::new("progress-damaged");
         fs::create_dir_all(&folder.0).unwrap();

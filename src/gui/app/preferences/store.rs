@@ -265,7 +265,7 @@ pub(in crate::gui) mod tests {
     }
 
     #[test]
-    fn a_broken_file_is_set_aside_and_said() {
+    fn a_broken_file_is_set_aside_and_reported() {
         let folder = Folder::new("broken");
         fs::create_dir_all(&folder.0).unwrap();
         for bytes in [&b"theme = \"dark"[..], &[0xff, 0xfe, 0x00]] {

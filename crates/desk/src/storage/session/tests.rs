@@ -346,7 +346,7 @@ fn a_session_that_is_far_too_large_is_put_aside_unread() {
 }
 
 #[test]
-fn documents_that_a_window_holds_have_a_slot_each_and_what_it_lets_go_leaves_nothing() {
+fn held_documents_have_a_slot_each_and_closed_ones_leave_nothing() {
     let folder = TempFolder::new("left-in-window");
     let (one, two) = (changed(), change(changed(), 50.0));
     let (mut sessions, _) = folder.begin(false);

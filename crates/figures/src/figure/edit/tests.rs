@@ -447,7 +447,7 @@ fn objects_keep_their_comments_when_others_come_and_go() {
 }
 
 #[test]
-fn a_point_that_moves_keeps_what_was_typed_of_it_and_of_the_others() {
+fn a_moved_point_keeps_its_typed_formulas_and_those_of_others() {
     let text = concat!(
         "[[points]]\nname = \"P\" # the corner\nposition = [\"sqrt(2)/2\", 1, 2] # exact\n",
         "# the other\n[[points]]\nposition = [0, 0, 3]\nname = \"Q\"\n",

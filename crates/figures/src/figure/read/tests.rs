@@ -212,7 +212,7 @@ fn every_form_of_toml_will_do() {
 }
 
 #[test]
-fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
+fn wrong_values_are_refused_with_line_key_and_allowed_values() {
     let (line, key, problem) = error("\n[camera]\nposition = \"abc\"");
     assert_eq!((line, key.as_str()), (3, "[camera] position"));
     assert_eq!(problem, Problem::Value { found: "\"abc\"".into(), allowed: Allowed::Vector });

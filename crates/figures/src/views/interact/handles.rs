@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn the_far_plane_of_a_broken_volume_is_taken_where_it_is_drawn_and_goes_in_proportion() {
+    fn the_far_plane_of_a_broken_volume_is_dragged_in_proportion() {
         with_picture(CORNER, |request, screen| {
             let camera = Camera::new(&Parameters { far: 900.0, ..*request.camera.parameters() }).unwrap();
             let request = Request { camera: camera.clone(), ..request.clone() };
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn a_window_that_is_drawn_nearer_is_taken_where_it_is_drawn_and_goes_in_proportion() {
+    fn a_window_drawn_nearer_is_dragged_in_proportion() {
         with_picture(CORNER, |request, screen| {
             let camera = Camera::new(&Parameters { near: 5e3, far: 6e3, ..*request.camera.parameters() }).unwrap();
             let request = Request { camera: camera.clone(), ..request.clone() };

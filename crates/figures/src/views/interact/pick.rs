@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hidden_vertex_is_caught_where_there_is_no_other() {
+    fn a_hidden_vertex_is_picked_if_there_is_no_other() {
         with_cube(Parameters::default(), |request| {
             let screen = image::screen(request);
             let place = screen.place(DVec3::NEG_ONE).unwrap();

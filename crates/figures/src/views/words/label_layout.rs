@@ -547,7 +547,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_that_stands_beside_bodies_is_left_out_where_there_is_no_other_place() {
+    fn a_text_beside_bodies_is_left_out_if_there_is_no_other_place() {
         let (soft, ink) = (Rgba::rgb(120, 120, 120), Rgba::rgb(0, 0, 0));
         let with = |color| Label { color, ..label(40.0, 50.0, "(1, 1, 1)") };
         let mut d = drawing(vec![with(soft), with(ink)]);

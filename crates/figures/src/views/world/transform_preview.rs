@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn each_has_its_axes_and_what_is_scaled_to_nothing_no_body() {
+    fn each_has_its_axes_and_an_object_scaled_to_nothing_no_body() {
         let preview = |scale: DVec3, wrong| TransformPreview {
             objects: BTreeSet::new(),
             change: DMat4::IDENTITY,

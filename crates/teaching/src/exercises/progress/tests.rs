@@ -85,7 +85,7 @@ fn an_error_in_a_damaged_file_names_its_key() {
 }
 
 #[test]
-fn a_mistake_is_open_until_what_shows_it_is_solved_without_it() {
+fn a_mistake_is_open_until_its_exercise_is_solved_without_it() {
     let mut progress = Progress::default();
     let open = |progress: &Progress| progress.mistakes().filter(|(_, made)| made.is_open).count();
     answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1);

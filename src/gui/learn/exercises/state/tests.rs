@@ -39,7 +39,7 @@ fn the_next_exercise_is_not_the_open_one_and_keeps_typed_answers() {
 }
 
 #[test]
-fn fields_are_joined_to_what_is_read_and_brackets_in_the_first_one_are_the_whole() {
+fn fields_are_joined_and_brackets_in_the_first_are_the_whole_answer() {
     let chosen = Chosen { id: "view-matrix".to_owned(), seed: 1 };
     let mut state = Exercises { open: Some(chosen), ..Exercises::default() };
     let exercise = state.exercise().map(|(_, exercise)| exercise);
