@@ -1,4 +1,4 @@
-//! What is selected in the scene, in the pictures: its arrows, its mark, and the click that selects it.
+//! The selection of the scene in the pictures: its arrows, its mark, and the click that selects it.
 
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
 
@@ -32,7 +32,7 @@ fn gizmo(does: Transforming, origin: DVec3, axes: [DVec3; 3]) -> TransformGizmo 
     TransformGizmo { does, origin, axes, hovered: None }
 }
 
-/// A place in the world picture where the part of an axis can be taken.
+/// A place in the world picture that grabs this part of an axis.
 fn on_axis(harness: &Harness<Stage>, gizmo: TransformGizmo, axis: usize) -> Pos2 {
     let rect = place(harness, WORLD);
     let hover = Hover { gizmo: Some(gizmo), ..Hover::default() };
@@ -144,7 +144,7 @@ fn a_ring_turns_and_a_bar_scales_the_selection_with_steps_on_a_key() {
     let origin = DVec3::new(1.5, 1.0, 0.0);
     let axes = [DVec3::NEG_Z, DVec3::Y, DVec3::X];
 
-    // The keys of the world choose what is done.
+    // The keys of the world choose the transform.
     h.get_by_label_contains(WORLD).focus();
     h.run();
     h.key_press(Key::R);

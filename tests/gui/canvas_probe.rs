@@ -198,7 +198,7 @@ fn pointer_and_vertex_differ_and_a_card_keeps_its_pinned_point() {
     assert!(!says(&h, "Release (Esc)"));
 }
 
-/// A card that nobody has moved is where it is in a window that has always been as large.
+/// A card that was never moved is in the same place as in a window that has always been as large.
 #[test]
 fn a_card_goes_with_the_window_until_it_is_moved() {
     let open = |size: [f32; 2]| {

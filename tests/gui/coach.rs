@@ -1,4 +1,4 @@
-//! The coach in the window: an empty image says why, one click shows what was missing, one step undoes it.
+//! The coach in the window: an empty image says why, one click shows the missing objects, one step undoes it.
 
 use std::time::Duration;
 
@@ -122,7 +122,7 @@ fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
     assert_eq!(window.state().model.desk.shown.figure().camera.position.y, 9.0);
 }
 
-/// While the coach looks at what has changed, a click on its button is the coach's all the same.
+/// While the coach examines a change, a click on its button is the coach's all the same.
 #[test]
 fn a_click_is_the_coachs_even_while_it_examines_a_change() {
     let mut window = window(Lang::En);
@@ -147,7 +147,7 @@ fn a_click_is_the_coachs_even_while_it_examines_a_change() {
     assert!(window.harness.query_by_label("⚠ Camera check: poor").is_some());
 }
 
-/// Once it has said what there is to say, the coach does nothing until the figure changes.
+/// Once it has given its advice, the coach does nothing until the figure changes.
 #[test]
 fn an_unchanged_figure_is_not_examined_again() {
     let mut window = window(Lang::En);
@@ -158,7 +158,7 @@ fn an_unchanged_figure_is_not_examined_again() {
     assert_eq!(window.state().model.coach.advice(), Some(&known));
 }
 
-/// The explanation of depths is in the convention that is worked in, and draws what it says of two planes.
+/// The explanation of depths uses the convention of the window, and draws the two planes that it describes.
 #[test]
 fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
     let cases = [

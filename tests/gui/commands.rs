@@ -33,7 +33,7 @@ impl Window {
         self.harness.step();
     }
 
-    /// As on most keyboards, where + is Shift and =, and Shift is let go first.
+    /// As on most keyboards: + is Shift and =, and Shift is let go first.
     pub(crate) fn plus_that_comes_up_as_equals(&mut self) {
         self.key_event(Key::Plus, true, Modifiers::SHIFT);
         self.key_event(Key::Equals, false, Modifiers::NONE);

@@ -1,4 +1,4 @@
-//! Answers to exercises and what stays of them: judged again, told with their numbers, beside a file of one's own.
+//! Answers to exercises and their progress: judged again, reported with their numbers, beside a file of one's own.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -17,7 +17,7 @@ use super::files::Folder;
 use super::window::Window;
 use crate::words::en;
 
-/// A window that keeps preferences and progress in a folder; the next one in the same folder is the program started
+/// A window that keeps preferences and progress in a folder. The next one in the same folder is the program started
 /// again.
 fn keeping(folder: &Folder) -> Window {
     // With room for panels on both sides.
@@ -87,7 +87,7 @@ fn a_reopened_exercise_is_judged_again_without_a_new_try() {
     );
     assert!(exercises.checked["u"].judged.diagnosis.is_some());
     assert_eq!(exercises.progress.tried("basis").unwrap().tries, 2, "no new try");
-    // What was typed since is not judged before it is asked for.
+    // Text typed since is not judged before you ask for it.
     fill(&mut again, &u, 1, &["1".to_owned(), "0".to_owned(), "0".to_owned()]);
     eframe::App::on_exit(again.app_mut(), None);
     let mut last = keeping(&folder);

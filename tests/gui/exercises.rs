@@ -260,7 +260,7 @@ fn the_camera_of_the_window_is_an_answer_and_the_picture_to_match_is_shown() {
     assert!(window.says(&format!("✓ {}", t.right)));
 }
 
-/// B16: a question comes before what answers it.
+/// B16: a question comes before the picture that answers it.
 #[test]
 fn a_prediction_is_answered_before_its_figure_is_shown() {
     let mut window = working_on("predict-visible", 4, Lang::En);
@@ -371,7 +371,7 @@ fn progress_is_counted_shown_exported_as_a_table_and_deleted_on_request() {
     window.click("A hint: M_v");
     let tried = window.state().learn.exercises.progress.tried("view-matrix").unwrap();
     assert_eq!((tried.tries, tried.seed, tried.hints["Mv"]), (1, 1, 1));
-    // The same family with new numbers, because of the mistake; and the reason is said.
+    // The same family with new numbers, because of the mistake. The window shows this reason.
     window.click(en::EXERCISE_WINDOW.practise_next);
     assert_eq!(window.state().learn.exercises.open, Some(Chosen { id: "view-matrix".to_owned(), seed: 2 }));
     assert!(window.says("It practises a mistake that you made once"));

@@ -1,4 +1,4 @@
-//! The side of explanations: reached and read by keyboard, every entry answered, what changes and what depends marked.
+//! The side of explanations: reached and read by keyboard, every entry answered, changed and dependent entries marked.
 
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::Matrix;
@@ -236,7 +236,7 @@ fn a_number_in_the_panel_of_numbers_leads_to_its_reason_without_a_mouse_too() {
         assert_eq!(window.state().model.explained.matrices.entry, [2, 2]);
         assert_eq!(focused(&window).as_deref(), Some("M_p, row 3, column 3: −(B + F)/(B − F)"));
     }
-    // Of transposed matrices, the entry that is shown; of u, v, n, the row of M_v.
+    // Of transposed matrices, the entry that is shown. Of u, v, n, the row of M_v.
     let mut window = Window::new(Lang::En);
     window.app_mut().state.model.settings.conventions.row_vectors = true;
     window.run();

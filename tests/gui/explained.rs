@@ -1,4 +1,4 @@
-//! What a figure file explains, in the window: it is taken up, followed, let go of and brought back.
+//! The explanation of a figure file in the window: it is taken up, followed, let go of and brought back.
 
 use std::fs;
 
@@ -16,7 +16,7 @@ use glam::DVec3;
 use super::files::Folder;
 use super::window::Window;
 
-/// A figure with a box of its own, and what it explains.
+/// A figure with a box of its own and its explanation.
 fn window(name: &str, show: &str) -> Window {
     let folder = Folder::new(name);
     let path = folder.file("figure.toml");

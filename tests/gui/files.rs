@@ -54,7 +54,7 @@ impl Window {
         self.key(Key::Enter);
     }
 
-    /// Presses the window's own close button; true if the window closes.
+    /// Presses the window's own close button. Returns true if the window closes.
     fn ask_to_close(&mut self) -> bool {
         let events = |window: &mut Self| {
             std::mem::take(&mut window.harness.input_mut().viewports.entry(ViewportId::ROOT).or_default().events)
@@ -482,7 +482,7 @@ fn a_step_added_to_a_lesson_elsewhere_says_which_files_the_lesson_cannot_show() 
         let names: Vec<&str> = lesson.steps[0].figure.files().map(|(name, _)| name).collect();
         assert!(is_said || names.iter().all(|name| name.starts_with("a/")), "{names:?}");
     }
-    // The step is shown again from what the window shows, with the same files.
+    // The step is updated from the window's figure, with the same files.
     let mut window = playing(&folder.file("b/lesson.toml"), 0);
     write(&mut window);
     window.click(en::LESSONS.step_screen);

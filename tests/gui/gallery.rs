@@ -51,7 +51,7 @@ fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     for key in [Key::ArrowRight, Key::ArrowDown, Key::ArrowLeft, Key::ArrowUp, Key::ArrowUp] {
         window.key(key);
     }
-    // Right, down, left and up lead back; further up there is nothing.
+    // Right, down, left and up lead back. Further up there is nothing.
     window.key(Key::ArrowRight);
     window.key(Key::Enter);
     let document = &window.state().model.desk.shown;
@@ -244,7 +244,7 @@ fn a_folder_shows_its_figures_in_natural_order_and_names_errors() {
     assert_eq!(window.state().file_flow.dialog, Some(Dialog::Gallery));
     window.wait_for("aula 9: ");
     window.wait_for("near < far");
-    // What it says of itself is there as well, without a picture.
+    // Its own description is there as well, without a picture.
     window.wait_for("A nona aula.");
     window.wait_for("aula 10: ");
     assert!(!window.says("notes: "));

@@ -1,4 +1,4 @@
-//! The tab of notes: searched, read, left by links; F1 on a thing opens the note on it.
+//! The tab of notes: searched, read, left by links. F1 on a thing opens the note on it.
 
 use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;

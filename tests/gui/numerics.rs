@@ -44,7 +44,7 @@ fn a_study_is_measured_and_its_worst_cameras_open_once_changes_have_been_asked_a
     measured(&mut window);
     assert!(window.harness.query_by_label_contains("f64 before the divide").is_some());
 
-    // Something is changed; the figure of a row is opened over it.
+    // Something is changed. The figure of a row is opened over it.
     window.app_mut().state.model.desk.shown.edit(|figure| figure.style.antialias = 16);
     window.wait(|_| written(&folder.0).contains("antialias = 16"));
     let row =

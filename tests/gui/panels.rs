@@ -207,7 +207,7 @@ fn projection_is_switched_both_ways_without_drift() {
     window.click(en::WINDOW.parallel);
     let camera = window.state().model.desk.shown.camera().clone();
     assert_eq!(camera.projection(), Projection::Parallel);
-    // What spans 2 D tan(θ/2) at PF spans H.
+    // An object that spans 2 D tan(θ/2) at PF spans H.
     let height = 2.0 * camera.distance() * (before.view_angle.to_radians() / 2.0).tan();
     assert!((camera.window().height() - height).abs() < 1e-12);
     window.field("H");
@@ -305,7 +305,7 @@ fn an_operation_turns_the_camera_by_its_step() {
     let mut window = Window::new(Lang::En);
     window.enter("Azimuth: step", "90");
     window.click("Azimuth +");
-    // C = (3, 4, 5) looks at the origin; u = (5, 0, −3)/√34. Its distance stays.
+    // C = (3, 4, 5) looks at the origin, so u = (5, 0, −3)/√34. Its distance stays.
     let camera = window.state().model.desk.shown.camera().clone();
     assert!((camera.distance() - 50.0_f64.sqrt()).abs() < 1e-12);
     assert!((camera.position().dot(glam::DVec3::new(3.0, 4.0, 5.0))).abs() < 1e-12, "{}", camera.position());
@@ -457,7 +457,7 @@ fn a_number_of_pixels_that_cannot_be_stays_as_it_was_typed_with_its_reason() {
     }
     window.enter("m", "16384");
     assert_eq!(window.state().model.desk.shown.figure().image.width, 16_384);
-    // Steps end where the numbers do.
+    // Steps end at the bounds of the numbers.
     window.field("m").increment_accesskit();
     window.run();
     assert_eq!(window.state().model.desk.shown.figure().image.width, 16_384);
@@ -561,7 +561,7 @@ fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
     assert_eq!(camera(&window), start, "it begins");
     window.run();
     assert_eq!(camera(&window), step(&start));
-    // What is pressed on the way finds the camera where it was going: two steps, two changes.
+    // A key pressed on the way finds the camera at its goal: two steps, two changes.
     click(&mut window);
     click(&mut window);
     window.run();
@@ -571,7 +571,7 @@ fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
         assert_eq!(camera(&window), expected);
     }
     assert!(!window.state().model.desk.can_undo(true));
-    // Where motion is to be reduced it is there at once.
+    // If motion is to be reduced, the camera is there at once.
     window.app_mut().state.model.settings.reduce_motion = true;
     click(&mut window);
     assert_eq!(camera(&window), step(&start));

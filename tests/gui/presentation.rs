@@ -1,5 +1,4 @@
-//! A lecture: one figure after the other without losing what was changed, and what is drawn and shown over the
-//! pictures.
+//! A lecture: one figure after the other without losing changes, and the ink and the overlays over the pictures.
 
 use std::fs;
 
@@ -55,7 +54,7 @@ fn a_presentation_says_title_and_caption_and_shows_each_figure_as_it_wants() {
     window.key(Key::PageUp);
     window.command_key(Key::L);
     assert!(window.says("Uma casa") && window.says("À beira-mar."));
-    // What a figure wants to be explained stays open where a presentation begins with it.
+    // An explanation that a figure asks for stays open if a presentation begins with it.
     let mut window = Window::opened(&folder.file("2.toml"));
     window.key(Key::F11);
     assert!(window.state().model.settings.presentation && window.state().model.shows_explanation(Explanation::Depth));
@@ -79,7 +78,7 @@ fn figures_follow_each_other_and_changes_are_there_on_return() {
     assert!(window.state().model.desk.shown.is_changed() && window.state().model.desk.can_undo(true));
     window.key(Key::PageUp);
     assert_eq!((name(&window).as_str(), window.state().model.desk.held().len()), ("aula 1.toml", 1));
-    // What was gone through is among the files that were used last.
+    // Shown figures are among the recent files.
     let recent = ["aula 1.toml", "aula 2.toml", "aula 10.toml"].map(|name| folder.file(name));
     assert_eq!(window.state().recent.files[..3], recent);
     // Opened by its name, it is the one that was left.
@@ -87,7 +86,7 @@ fn figures_follow_each_other_and_changes_are_there_on_return() {
     window.choose(&folder.file("aula 2.toml"));
     assert_eq!(window.state().model.desk.shown.figure().camera.far, 77.0);
     window.key(Key::PageUp);
-    // Whoever closes the window is asked about it.
+    // Closing the window asks about it.
     window.command_key(Key::Q);
     assert!(window.says(en::WINDOW.unsaved_title) && window.says("aula 2.toml"));
     window.click(en::WINDOW.save);
@@ -136,7 +135,7 @@ fn cancelling_the_close_loses_no_figure() {
         window.command_key(Key::PageDown);
     }
     assert_eq!((name(&window).as_str(), window.state().model.desk.held().len()), ("3.toml", 2));
-    // Esc and the button alike; also in the question that comes in between.
+    // Esc and the button alike, also in the question that comes in between.
     for cancel in [true, false] {
         window.command_key(Key::Q);
         for _ in 0..2 {
@@ -240,7 +239,7 @@ impl Window {
         self.written().iter().any(|(written, _)| written.contains(text))
     }
 
-    /// B of the camera, in a presentation, where the panel is hidden.
+    /// B of the camera, in a presentation, in which the panel is hidden.
     fn enter_far(&mut self, text: &str) {
         self.key(Key::F8);
         self.enter("B", text);

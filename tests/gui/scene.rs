@@ -40,7 +40,7 @@ impl Window {
         self.run();
     }
 
-    /// Chooses from the menu of what can be added.
+    /// Chooses from the menu of objects that can be added.
     fn add(&mut self, button: &str, what: &str) {
         self.harness.get_by_role_and_label(Role::Button, button).click();
         self.run();
@@ -322,7 +322,7 @@ fn deleting_asks_about_the_children() {
     assert!(window.names().is_empty());
     window.command_key(Key::Z);
     assert_eq!(window.names(), ["group", "box"]);
-    // Where nothing hangs on it there is nothing to ask.
+    // If it has no children, there is nothing to ask.
     window.select(en::SCENES.shape_box);
     window.key(Key::Delete);
     window.run();
@@ -384,7 +384,7 @@ fn objects_that_cannot_be_selected_together_say_why() {
     window.app_mut().state.model.message = None;
     beside(&mut window, "box");
     assert!(window.says(why));
-    // What is selected alone has nothing to complain about.
+    // A single selected object has nothing to complain about.
     window.app_mut().state.model.message = None;
     window.select("roof");
     assert!(!window.says(why));
@@ -488,7 +488,7 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
     window.run();
     assert_eq!(window.state().model.scene_cache.scene().objects.len(), 2);
     assert!(!window.says("line 2"));
-    // What was left out of a mesh is said at its object.
+    // A message at the object names the parts of a mesh that were left out.
     assert!(window.says("line 5: a face with 2 corners; it is left out"));
 }
 

@@ -38,7 +38,7 @@ fn the_divide_is_left_out_in_parallel_projection_and_says_why() {
     window.key(Key::F5);
     window.click(en::WINDOW.parallel);
     assert!(window.stage("divide by w: skipped – parallel projection: w is 1 everywhere"));
-    // Pointed at, it is said in full at the head of the strip.
+    // Under the pointer, its text is in full at the head of the strip.
     let divide = |label: &str| label.starts_with("divide by w");
     let at = window.harness.get_by(|node| node.label().is_some_and(|l| divide(&l)) && node.role() == Role::ListItem);
     at.hover();
@@ -176,7 +176,7 @@ fn the_strip_says_the_same_numbers_while_it_shows_a_stage() {
         click(&mut window, name);
         let now: Vec<_> = counts(&window);
         for (now, before) in now.iter().zip(&before) {
-            // Marks that show it are lines; nothing else is counted.
+            // Marks that show it are lines. Nothing else is counted.
             assert!(now == before || before.starts_with("lines"), "{name}: {now} for {before}");
         }
         click(&mut window, name);

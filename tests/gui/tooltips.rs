@@ -1,4 +1,4 @@
-//! What is said when the pointer rests on something.
+//! Tooltips: the hints when the pointer rests on something.
 
 use camera_lab_words::Lang;
 use camera_lab_words::window::texts;
@@ -8,7 +8,7 @@ use super::window::Window;
 use crate::words::en;
 
 impl Window {
-    /// Where this is written.
+    /// The place of this text.
     fn place_of(&self, text: &str) -> Option<Rect> {
         self.written().into_iter().find(|(written, _)| written.contains(text)).map(|(_, place)| place)
     }

@@ -1,4 +1,4 @@
-//! Windows that are killed while they write down what they show.
+//! Windows that are killed while they store their figures.
 
 use camera_lab::gui::kit::frames::frames;
 use std::fs;
