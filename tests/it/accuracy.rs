@@ -1,4 +1,4 @@
-//! Error against run time: what the studies find is what the theory says, and the command prints it.
+//! Error against run time: the studies' results agree with the theory, and the command prints them.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -14,7 +14,7 @@ use camera_lab_words::why::numerics as words;
 
 use crate::common::program::Bench;
 
-/// What a study finds with few inputs: the same for all tests.
+/// The results of a study with few inputs: the same for all tests.
 fn findings(study: Study) -> &'static Findings {
     static FOUND: [OnceLock<Findings>; Study::ALL.len()] = [const { OnceLock::new() }; Study::ALL.len()];
     let place = Study::ALL.iter().position(|s| *s == study).unwrap();
@@ -86,7 +86,7 @@ fn the_figure_of_the_worst_input_is_a_camera() {
     }
 }
 
-/// A pixel turns a line by its inverse length, and the place where two lines meet moves by that over their angle.
+/// A pixel turns a line by its inverse length, and the intersection of two lines moves by that over their angle.
 #[test]
 fn the_camera_of_a_photograph_is_off_by_the_inverse_of_the_angle_between_the_lines() {
     let findings = findings(Study::Photograph);
@@ -102,7 +102,7 @@ fn the_camera_of_a_photograph_is_off_by_the_inverse_of_the_angle_between_the_lin
     assert!(error("view angle", 0.5, "mean of intersections") > 1.5 * error("view angle", 0.5, OWN));
 }
 
-/// A coordinate of 10^k in single precision is off by about 10^k · 2^-25; relative to the eye it is not.
+/// A coordinate of 10^k in single precision is off by about 10^k · 2^-25. Relative to the eye it is not.
 #[test]
 fn single_precision_loses_a_world_far_away_and_keeps_it_relative_to_the_eye() {
     let findings = findings(Study::VertexTransform);
@@ -142,8 +142,8 @@ fn matrices_drift_with_the_number_of_operations_and_the_program_does_not() {
     }
 }
 
-/// The measured interval is the predicted one: exactly where the arithmetic is that of the format, within a few
-/// roundings elsewhere.
+/// The measured interval is the predicted one: exactly if the arithmetic is that of the format, within a few roundings
+/// otherwise.
 #[test]
 fn depths_are_resolved_as_the_theory_predicts() {
     let findings = findings(Study::DepthBuffer);
@@ -232,8 +232,8 @@ fn plots_are_files_of_their_kind() {
     assert!(bench.read("plot-art.pdf").starts_with(b"%PDF"));
 }
 
-/// Of three bars each over the next no order of whole faces is right; a depth buffer and a BSP, which cuts them, are
-/// right but for edges.
+/// Of three bars each over the next no order of whole faces is right. A depth buffer and a BSP, which cuts them, are
+/// right except at edges.
 #[test]
 fn interlocking_surfaces_break_the_painter_and_coarse_steps_the_buffer() {
     let findings = findings(Study::Visibility);
@@ -248,7 +248,7 @@ fn interlocking_surfaces_break_the_painter_and_coarse_steps_the_buffer() {
     assert!(error("close surfaces", 1e5, OWN) < 0.01);
 }
 
-/// With the segments all come nearer, Phong's shading fastest; flat faces have no highlight however small they are.
+/// With more segments all come nearer, Phong's shading fastest. Flat faces have no highlight however small they are.
 #[test]
 fn finer_meshes_come_nearer_to_the_true_surface() {
     let findings = findings(Study::Shading);
@@ -292,7 +292,7 @@ fn levels_of_detail_keep_the_light_while_single_texels_flicker() {
     }
 }
 
-/// Without bias faces shadow themselves, with too much of it shadows come off; steps of the map are halved with its
+/// Without bias faces shadow themselves, and with too much of it shadows come off. Steps of the map are halved with its
 /// texels.
 #[test]
 fn shadows_are_wrong_without_bias_and_with_too_much_and_less_so_in_larger_maps() {
@@ -316,7 +316,7 @@ fn shadows_are_wrong_without_bias_and_with_too_much_and_less_so_in_larger_maps()
     }
 }
 
-/// The figure of a row has the shadows of its method, and marks what is wrong with them.
+/// The figure of a row has the shadows of its method, and marks their errors.
 #[test]
 fn the_worst_shadows_open_with_their_wrong_pixels_marked() {
     for r in &findings(Study::Shadows).rows {

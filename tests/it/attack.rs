@@ -1,4 +1,4 @@
-//! Files and arguments that are wrong, too large, or slow: what each reader accepts, and what it prints of them.
+//! Files and arguments that are wrong, too large, or slow: the limits of each reader, and its messages.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

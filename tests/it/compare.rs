@@ -1,4 +1,4 @@
-//! One figure in two ways in one picture: what each side shows, and the formats of depths, which are worth comparing.
+//! One figure in two ways in one picture: the sides, and the formats of depths, which are worth comparing.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -274,7 +274,7 @@ fn a_file_a_link_and_render_draw_the_same_comparison() {
 fn a_comparison_that_is_impossible_is_no_picture_less() {
     let figure = compared(Comparison::of_key("camera.near", "1e9"));
     assert!(drawn(&request(&figure, View::Image)) == drawn(&request(&house(Show::default()), View::Image)));
-    // It is drawn, and the reason is told.
+    // It is drawn, and a message gives the reason.
     let bench = Bench::new("impossible side");
     bench.write("figure.toml", "[compare]\nwith = { \"camera.near\" = 1e9 }\n");
     let run = bench.run(&["render", "figure.toml", "--size", "60x40", "-o", "a.png", "--lang", "pt-BR"]);
@@ -314,7 +314,7 @@ fn planes_fight_in_the_image_if_depths_have_few_bits() {
             assert!(differing(&of("fixed-16"), &of("f32-reversed")) > 300);
         }
     }
-    // The canonical volume has no depth buffer of its own; the world has the image on its window.
+    // The canonical volume has no depth buffer of its own. The world has the image on its window.
     assert!(
         drawn(&request(&fighting("fixed-16"), View::Canonical))
             == drawn(&request(&fighting("f32-reversed"), View::Canonical))

@@ -1,4 +1,4 @@
-//! What a frame costs: `explain --cost`.
+//! The cost of a frame: `explain --cost`.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

@@ -71,7 +71,7 @@ fn an_order_of_painting_that_is_wrong_is_a_finding() {
         bench.write("f.toml", cycle(&format!("visibility = \"{visibility}\"")));
         assert_eq!(codes(&diagnosed(&bench, "f.toml")), [], "{visibility}");
     }
-    // Bars of the same colour can't be told apart.
+    // Bars of the same colour can't be distinguished.
     bench.write("f.toml", cycle("visibility = \"painter\"\nshading = \"wireframe\""));
     assert_eq!(codes(&diagnosed(&bench, "f.toml")), []);
 }

@@ -1,4 +1,4 @@
-//! Every known mistake, made by hand, gets its code; and the command line judges as the contract says.
+//! Every known mistake, made by hand, gets its code, and the command line judges as the contract says.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -121,7 +121,7 @@ fn axes_in_the_columns_of_the_view_matrix_are_recognised() {
 
 #[test]
 fn the_whole_angle_is_found_with_and_without_the_factor_of_two() {
-    // θ = 40°, A = 5/4, F = 2/5: H = 2 F tan θ, H = F tan θ, and what follows for W.
+    // θ = 40°, A = 5/4, F = 2/5: H = 2 F tan θ, H = F tan θ, and the W that follows.
     for (name, answer) in [("H", "0.8*tan(40°)"), ("H", "0.4*tan(40°)"), ("W", "0.5*tan(40°)")] {
         assert_eq!(codes(&judge("window", 1, name, answer)), ["whole-angle"], "{name} = {answer}");
     }
@@ -181,7 +181,7 @@ fn the_command_line_judges_as_the_contract_says() {
     let right = run(&["parallel_origin=[2,2; 4,6; -1]", "perspective_origin=[6/2, 4, 0]"]).json();
     assert_eq!((&right["right"], right["answers"].as_array().unwrap().len()), (&true.into(), 2));
     assert_eq!(right["answers"][0]["diagnosis"], serde_json::Value::Null);
-    // What is not known costs its own part alone.
+    // An unknown name costs its own part alone.
     let part = run(&["parallel_origin=[11/5, ?, -1]"]);
     let judged: serde_json::Value = serde_json::from_slice(&part.out).unwrap();
     assert_eq!((part.status, &judged["right"]), (Some(1), &false.into()));
@@ -193,7 +193,7 @@ fn the_command_line_judges_as_the_contract_says() {
     assert_eq!((wrong.status, diagnosis["code"].as_str()), (Some(1), Some("sign")));
     assert!(!diagnosis["message"].as_str().unwrap().is_empty() && diagnosis["hints"].as_array().unwrap().len() >= 2);
     assert_eq!(diagnosis["others"], serde_json::json!(["n-reversed"]));
-    // What cannot be read is not judged, and neither is what stands beside it.
+    // An unreadable answer is not judged, and neither is the one beside it.
     for answers in [
         &["parallel_origin=[11/5, 23/5, -1"][..],
         &["parallel_origin=[11/5, 23/5, -1]", "parallel_direction=[3/5, 4/, 0]"],

@@ -1,4 +1,5 @@
-//! Frequent mistakes that had no name, made by hand from the statements: each is told, beside what gives the same.
+//! Frequent mistakes that had no name, made by hand from the statements: each verdict names the mistake, beside others
+//! that give the same.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -20,7 +21,7 @@ fn vector(v: DVec3) -> String {
     list(&v.to_array())
 }
 
-/// What the statement gives, and the axes as (5.3) has them.
+/// The numbers of the statement, and the axes as (5.3) has them.
 struct Given {
     c: DVec3,
     pf: DVec3,
@@ -37,7 +38,7 @@ fn given(id: &str, seed: u64) -> Given {
     Given { c, pf, u, v: n.cross(u), n }
 }
 
-/// Says it of every seed whose wrong answer isn't right by coincidence; of half of them at least.
+/// Asserts it for every seed whose wrong answer isn't right by coincidence, and for half of them at least.
 fn told_of(id: &str, name: &str, code: &str, wrong: impl Fn(u64) -> Option<String>) {
     let mut count = 0;
     for seed in SEEDS {
@@ -66,7 +67,7 @@ fn a_rotation_about_the_wrong_point_is_recognised() {
             let turn = DQuat::from_axis_angle(if about_u { u } else { v }, angle);
             Some(vector(if moves_c { c + turn * (pf - c) } else { pf + turn * (c - pf) }))
         });
-        // Through itself it stays: that is what was there before as well, and both are said.
+        // Turned about itself it stays, as it was before, so the verdict names both.
         told_of(id, name, "wrong-point", |seed| {
             let Given { c, pf, .. } = given(id, seed);
             let told = verdict(id, seed, name, vector(if moves_c { c } else { pf }));

@@ -1,5 +1,5 @@
-//! Verdicts on wrong answers, each made by hand from the numbers of an exercise: the reason that is told is the mistake
-//! that was made, or one of several that give the same.
+//! Verdicts on wrong answers, each made by hand from the numbers of an exercise: the reason in the verdict is the
+//! mistake that was made, or one of several that give the same.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -54,7 +54,7 @@ pub(crate) fn together(id: &str, seed: u64, answers: &[(&str, String)]) -> Vec<J
     answers.iter().map(|(name, text)| check_beside(entry, &exercise, ask(name), text, &read).unwrap()).collect()
 }
 
-/// The codes that are told: those made together, and after a `|` those that give the same.
+/// The codes of the verdict: those made together, and after a `|` those that give the same.
 pub(crate) fn told(judged: &Judged) -> String {
     let codes = |causes: &[camera_lab::exercises::Cause]| {
         causes.iter().map(|cause| cause.mistake.code()).collect::<Vec<_>>().join("+")
@@ -66,7 +66,7 @@ pub(crate) fn told(judged: &Judged) -> String {
     })
 }
 
-/// What is told of one answer, and that it is not right.
+/// The verdict on one answer, which is not right.
 pub(crate) fn verdict(id: &str, seed: u64, name: &str, answer: impl Into<String>) -> String {
     let judged = together(id, seed, &[(name, answer.into())]).remove(0);
     assert!(!judged.right, "{id} {seed} {name}");
@@ -497,11 +497,11 @@ fn without_a_known_mistake_help_begins_at_the_first_step_that_is_wrong() {
     let alone = hints(&[("view", "[17.123, 23.456, 31.789]".to_owned()), ("clip", wrong.clone())], "clip");
     let after = hints(&[("view", view), ("clip", wrong)], "clip");
     assert!(alone.contains("The solution begins with") && after.contains("The steps before are right"), "{after}");
-    // What comes first is the sentence to keep, and the step that says it.
+    // The first is the sentence to keep, and the step that says it.
     let way = lesson_of("ndc").unwrap();
     let sentence = camera_lab_words::told(Lang::En, way.lesson.sentence.as_ref().unwrap()).trim();
     assert!(alone.starts_with(sentence) && alone.contains(&format!("step {}", way.step + 1)), "{alone}");
-    // Where nothing is known something is said.
+    // Without a known mistake there is a hint.
     for (id, name, answer) in [("1-I", "height", "7777"), ("order", "first", "rotate"), ("inside", "plane", "none")] {
         let exercise = self::exercise(id, 3);
         let ask = exercise.asks.iter().find(|ask| ask.name == name).unwrap();
@@ -510,7 +510,7 @@ fn without_a_known_mistake_help_begins_at_the_first_step_that_is_wrong() {
     }
 }
 
-/// Multiples of the right direction, and of the reversed one where **n** may be.
+/// Multiples of the right direction, and of the reversed one if **n** may be.
 #[test]
 fn directions_of_any_length_are_recognised() {
     let n = DVec3::from_slice(&right("basis", 200, "n"));

@@ -1,4 +1,4 @@
-//! Verdicts on answers that look like a known mistake, or like none: what is told needs numbers that show it.
+//! Verdicts on answers that look like a known mistake, or like none: a reason needs numbers that show it.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

@@ -93,7 +93,7 @@ fn a_series_has_one_observer_who_has_every_camera_in_the_picture() {
         bench.run(&[&azimuths[..], more, &["-o", name]].concat()).done();
         picture(&bench, name).data().to_vec()
     };
-    // Without an observer the camera is where it was, and the cube has turned.
+    // Without an observer the camera stays in its place, and the cube has turned.
     let own = with(&["--op", "azimuth=90"], "own.png");
     let series = with(&["--op", "azimuth=90", "--observer-of", "figure.toml"], "series.png");
     assert_ne!(own, series);

@@ -149,7 +149,7 @@ fn texts_use_the_terms_of_the_glossary() {
         .flat_map(|(folder, ends)| files(folder, ends))
         .chain(files_below("crates/words/src", ".rs"))
         .chain(files_below("assets/words", ".toml"))
-        // The words of other books are what the search is for.
+        // The words of other books are those that the search is for.
         .filter(|path| !path.ends_with("window/search.rs"))
         .map(|path| (path.clone(), fs::read_to_string(path).unwrap().to_lowercase()))
         .chain(figures)

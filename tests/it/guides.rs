@@ -1,4 +1,4 @@
-//! What the guides say, against the program.
+//! The guides' statements, compared with the program.
 
 use std::collections::BTreeSet;
 
@@ -39,7 +39,7 @@ fn table<'a>(guide: &'a str, heading: &str) -> Vec<Vec<&'a str>> {
     rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect()).collect()
 }
 
-/// What a turn changes, about which axis and through which point, in the words of the table: from what it does to a
+/// The axis of a turn, its fixed point and the values it changes, in the words of the table: from its effect on a
 /// camera.
 fn done(freedom: Freedom, lang: Lang) -> [String; 3] {
     let before = camera(|p| {

@@ -1,4 +1,4 @@
-//! Files of strangers: what they may say in a message, what they may reach, and how much they may cost.
+//! Files of strangers: limits on their messages, on the files they reach, and on their cost.
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use crate::common::program::{Bench, Run};
@@ -133,7 +133,7 @@ fn a_mesh_reaches_nothing_outside_of_its_folder_unless_the_user_lets_it() {
         }
         bench.run(&["inspect", "figures/figure.toml", "--allow-files"]).done();
     }
-    // Another machine is never asked, and what is not there cannot be told from what is.
+    // Another machine is never asked, and a missing file gives the same message as an existing one.
     for (uri, part) in [
         ("//host/points.bin", "another machine"),
         ("\\\\\\\\host\\\\x", "another machine"),
@@ -236,7 +236,7 @@ fn files_named_by_a_figure_share_a_budget_and_count_once_each() {
     }
 }
 
-/// What nobody typed is not repeated: who opens a link knows which.
+/// A message does not repeat the link, which no user typed. It names the figure in the link.
 #[test]
 fn errors_in_a_link_name_the_figure_in_it() {
     let bench = Bench::new("link-faults");

@@ -194,12 +194,12 @@ fn lines_of_a_legend_are_hidden_renamed_and_styled_and_the_legend_moves_as_a_who
         // A line less, so that the others begin lower.
         let lower = place(&changed, "legend:Z-near").center.y - place(&own, "legend:Z-near").center.y;
         assert!((after.center - before.center).abs_diff_eq(DVec2::new(2.0 * after.em, lower), 0.01), "{name}");
-        // What is said of its place is what a drag of it begins with.
+        // Its reported place is the one that a drag of it begins with.
         assert!(after.moved_to(after.center).abs_diff_eq(DVec2::new(2.0, 3.0), 0.011), "{name} {after:?}");
     }
     let none = drawing(&format!("{FIGURE}{DEPTH}[labels]\nhidden = [\"legend\"]\n"), View::Image);
     assert!(none.areas.is_empty() && legend.iter().all(|name| label(&none, name).is_none()));
-    // Farther than the picture reaches, it stays in it; twice as large, its lines do not run into each other.
+    // Farther than the picture reaches, it stays in it. Twice as large, its lines do not run into each other.
     let far = "[[labels.moved]]\nname = \"legend\"\nby = [1000, 1000]\n\
         [[labels.styled]]\nname = \"legend:depth\"\nsize = 2\n";
     let far = drawing(&format!("{FIGURE}{DEPTH}{far}"), View::Image);
@@ -273,7 +273,7 @@ fn the_labels_of_both_sides_of_a_comparison_are_the_authors() {
         let after = labels(&format!("{text}{own}"));
         assert!(of(&after, "side:1").is_empty());
         assert_eq!(of(&after, "side:2")[0].text, "narrow");
-        // Each side has its own; of one picture behind a wiper, what is seen.
+        // Each side has its own labels. Behind a wiper, only the visible ones of one picture are there.
         let middles: Vec<f64> = of(&before, "C").iter().map(|label| label.center.x).collect();
         if layout == "beside" {
             assert!(middles.len() == 2 && middles[0] < 320.0 && middles[1] > 320.0, "{middles:?}");

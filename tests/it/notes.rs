@@ -31,7 +31,7 @@ fn both_languages_have_the_same_notes_in_words_of_their_own() {
     for (en, pt) in english.iter().zip(portuguese) {
         assert_eq!(en.id, pt.id);
         assert!(ids.insert(en.id), "{} stands twice", en.id);
-        // Equations, places and links need no translation; as many errata are told.
+        // Equations, places and links need no translation. Both have as many errata.
         assert_eq!((&en.equations, en.source, &en.links), (&pt.equations, pt.source, &pt.links), "{}", en.id);
         assert_eq!(en.errata.len(), pt.errata.len(), "{}", en.id);
         for note in [en, pt] {

@@ -110,7 +110,8 @@ proptest! {
         let bench = bench("paper-wild");
         let mut arguments = ["render", "figure.toml", "-o", "o.png", "--view", view, "--theme", theme].map(str::to_owned).to_vec();
         arguments.extend(size.map(|size| format!("--size={size}")));
-        // On paper as wide as the widest, a picture would take seconds: refused or small is what is looked for here.
+        // On paper as wide as the widest, a picture would take seconds. This test only looks for a refusal or a small
+        // one.
         let small = |name: &str, text: &str| {
             let large = if name == "--dpi" { 80.0 } else { 12.0 };
             !(name.ends_with("-cm") || name == "--dpi") || text.parse::<f64>().is_ok_and(|v| v <= large || v > 10_000.0)

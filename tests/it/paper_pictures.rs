@@ -1,4 +1,4 @@
-//! Pictures for paper: what may be left out of the world, strokes of small scenes, the border of the image.
+//! Pictures for paper: the parts of the world that may be left out, strokes of small scenes, the border of the image.
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::drawing::{Drawing, StrokeSet};

@@ -1,4 +1,4 @@
-//! Predictions in lessons: a place in the image, judged by the pipeline, and the figure that shows what was asked.
+//! Predictions in lessons: a place in the image, judged by the pipeline, and the figure that shows the answer.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -136,7 +136,7 @@ fn a_place_is_computed_from_a_thing_or_from_coordinates_of_the_step() {
         // The rim has 32 vertices before the tips.
         r#"{ object = "cone", vertex = "vertex:33" }"#,
         "{ view = [1, 1, -5] }",
-        // A = 4/3, and z_n = (20 + 1)/19 − 40/(19 · 5) at the depth 5; w is the depth.
+        // A = 4/3, and z_n = (20 + 1)/19 − 40/(19 · 5) at the depth 5, with w as the depth.
         "{ ndc = [0.15, 0.2, \"13/19\"] }",
         "{ clip = [0.75, 1, \"65/19\", 5] }",
         "{ clip = [1.5, 2, \"130/19\", 10] }",
@@ -148,7 +148,7 @@ fn a_place_is_computed_from_a_thing_or_from_coordinates_of_the_step() {
     // The box of the cone is [0, 2] × [0, 1] × [−1, 1].
     assert_eq!(at(r#"{ object = "cone", vertex = "center" }"#), at("[1, 0.5, 0]"));
     assert_eq!(at(r#"{ object = "cone", vertex = "corner:7" }"#), at("[2, 1, 1]"));
-    // A pixel is where it is, and its centre is half a pixel from its corner.
+    // A pixel has its own place, and its centre is half a pixel from its corner.
     assert_eq!(at("{ pixel = [11, 3] }"), [11.5, 3.5]);
 }
 
@@ -229,7 +229,7 @@ fn numbers_in(text: &str, comma: bool) -> Vec<f64> {
     inside.flat_map(|inside| inside.split(';').filter_map(value).collect::<Vec<_>>()).collect()
 }
 
-/// The program knows where the parts of a thing are, in each figure.
+/// The program knows the places of a thing's parts, in each figure.
 #[test]
 fn a_part_of_a_thing_is_marked_by_its_name() {
     let parts = [

@@ -243,7 +243,7 @@ fn cameras_that_a_careless_picture_would_spoil_spoil_none() {
     }
 }
 
-/// Looks along −z from the origin; the window on F is ±1, so the planes are |x| = |z| and |y| = |z|.
+/// Looks along −z from the origin. The window on F is ±1, so the planes are |x| = |z| and |y| = |z|.
 fn eye(projection: Projection) -> Camera {
     Camera::new(&Parameters {
         position: DVec3::ZERO,
@@ -362,7 +362,7 @@ fn the_two_parts_are_the_whole_and_each_is_on_its_side() {
         // By the six planes of the camera, which know nothing of clip space.
         let planes = camera.volume_planes();
         let outermost = |p: DVec3| planes.iter().map(|plane| plane.distance(p)).fold(f64::INFINITY, f64::min);
-        // A cloud of points has nothing to cut; its marks are what is drawn of it.
+        // A cloud of points has nothing to cut. Its marks are all that is drawn of it.
         let mut drawn = parts.inside.clone();
         drawn.objects.retain(|o| !(o.mesh.triangles.is_empty() && o.mesh.edges.is_empty()));
         for v in drawn.vertices() {

@@ -64,7 +64,7 @@ fn euler_characteristic(mesh: &Mesh) -> i64 {
     v - e + i64::try_from(mesh.triangles.len()).unwrap()
 }
 
-/// The enclosed volume; positive when triangles are counter-clockwise seen from outside.
+/// The enclosed volume, positive when triangles are counter-clockwise seen from outside.
 fn signed_volume(mesh: &Mesh) -> f64 {
     mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])).map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()
 }
@@ -418,7 +418,7 @@ fn each_preset_has_an_example_figure_with_its_recommended_camera() {
         if preset != Preset::Exercise51 {
             assert_eq!(figure.scene, SceneSpec { preset, ..SceneSpec::default() }, "{preset}");
         }
-        // What has no part in the projection is not in the file.
+        // Values without a part in the projection are not in the file.
         let used = |p: Parameters| match p.projection {
             Projection::Perspective => Parameters { height: 0.0, ..p },
             Projection::Parallel => Parameters { view_angle: 0.0, ..p },

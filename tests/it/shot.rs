@@ -1,4 +1,4 @@
-//! What a picture shows is one value: the figure file holds it, and every way to a picture draws the same of it.
+//! The contents of a picture are one value: the figure file holds it, and every way to a picture draws the same of it.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -57,7 +57,7 @@ fn with_others(show: &Show, view: View, other: &Show) -> Show {
     if view != View::Image {
         mixed.painted = other.painted;
     }
-    // What is culled and clipped in the image is seen in the pictures beside it.
+    // Faces culled and clipped in the image are seen in the pictures beside it.
     let is_beside = |stage| matches!(stage, Stage::CullObjects | Stage::CullFaces | Stage::Clip);
     let belongs = |show: &Show| {
         show.stage.is_some_and(|stage| show.stage_of.0 == view || show.stage_of.0 == View::Image && is_beside(stage))
@@ -88,7 +88,8 @@ proptest! {
         prop_assert_eq!(&again, &figure);
         prop_assert_eq!(Shot::of(&again), Shot::of(&figure));
         for view in View::ALL {
-            // What the operations know beyond the file makes no difference, however little of it pixels could show.
+            // Digits that the operations know beyond the file make no difference, however little of them pixels could
+            // show.
             let scene = scene(&figure);
             let of_file = request(&Camera::new(&again.camera).unwrap(), &again, view, &scene);
             prop_assert!(request(&camera, &figure, view, &scene) == of_file, "{view:?}");
@@ -173,7 +174,7 @@ fn impossible_shows_are_refused_with_line_key_and_allowed_values() {
     }
 }
 
-/// What `render` writes is the same from a file, from a link, from the PNG that it wrote, and from arguments.
+/// The output of `render` is the same from a file, from a link, from the PNG that it wrote, and from arguments.
 #[test]
 fn render_draws_the_show_table_and_arguments_override_it() {
     let bench = Bench::new("shot");
@@ -220,8 +221,8 @@ fn impossible_show_arguments_are_refused() {
     }
 }
 
-/// The pictures are drawn from what a file can hold: what operations know beyond it makes no difference between screen
-/// and file.
+/// The pictures are drawn from values that a file can hold: digits that operations know beyond it make no difference
+/// between screen and file.
 #[test]
 fn after_a_hundred_operations_the_file_draws_the_same_pixels() {
     let bench = Bench::new("shot-operations");

@@ -1,4 +1,4 @@
-//! What a picture shows of a stage: what went in and what came out.
+//! The marks of a stage in a picture: its input and its output.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -110,7 +110,7 @@ fn objects_that_are_dropped_are_named() {
     assert!(dropped.iter().any(|object| object.name == away && object.middle.is_none()));
 }
 
-/// The pixels of one half, away from the line in the middle and from what is written beside it.
+/// The pixels of one half, away from the line in the middle and from the text beside it.
 fn half(picture: &Pixels, right: bool) -> Vec<[u8; 4]> {
     let (side, half) = (SIDE as usize, SIDE as usize / 2);
     let columns = if right { half + 4..side } else { 0..half - 4 };
@@ -163,8 +163,8 @@ fn every_stage_is_shown_in_every_picture() {
     }
 }
 
-/// What a stage drops is shown in another colour and counted by none: the stages say the same of the picture as without
-/// it.
+/// The triangles that a stage drops are shown in another colour and are not counted: the stages report the same of the
+/// picture as without it.
 #[test]
 fn faces_that_show_a_stage_are_not_counted_even_with_depths_shown() {
     for depth in [Depth::Off, Depth::Stored] {

@@ -13,7 +13,7 @@ use crate::common::rendered::assert_rendered;
 const SIZE: Size = Size { width: 160, height: 120, scale: 1.0 };
 const LIGHT: &str = "[[scene.lights]]\nkind = \"directional\"\ndirection = [-1, -1.2, -1.6]\n";
 
-/// The image of a figure, held against `stage_NAME.png`.
+/// The image of a figure, compared with `stage_NAME.png`.
 #[track_caller]
 fn assert_stage(name: &str, figure: &str) {
     let figure = parse(figure).unwrap();

@@ -1,4 +1,4 @@
-//! A sample of what the example `stress` tries by the million.
+//! A sample of the cases that the example `stress` tries by the million.
 
 use crate::stress_case::{Tried, case};
 
@@ -13,7 +13,7 @@ fn no_camera_operation_or_scene_breaks_an_invariant() {
     assert!(tried.cameras > 10_000 && tried.pictures > 200, "{tried:?}");
 }
 
-/// Cases that were found, by seed and number.
+/// Cases that failed once, by seed and number.
 #[test]
 fn cases_that_failed_once_pass() {
     for (seed, k) in FOUND {

@@ -1,4 +1,4 @@
-//! `inspect --trace` and `--depth-pixel`: what other programs read of a point's way.
+//! `inspect --trace` and `--depth-pixel`: the values that other programs read of a point's way.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

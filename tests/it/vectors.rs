@@ -1,5 +1,5 @@
-//! Pictures as SVG, PDF and LaTeX, held against the pixels of the same figure by librsvg, Poppler and pdfTeX, where
-//! they are installed.
+//! Pictures as SVG, PDF and LaTeX, compared with the pixels of the same figure by librsvg, Poppler and pdfTeX, if they
+//! are installed.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -46,14 +46,14 @@ pub(crate) fn svg_of(sheet: &Composite, options: FileOptions, figure: &Figure) -
     String::from_utf8(written(sheet, options, figure, "").bytes).unwrap()
 }
 
-/// Whether a program is there; the checks on a bare machine install it.
+/// Whether a program is there. The checks on a bare machine install it.
 pub(crate) fn has(program: &str) -> bool {
     let found = Command::new(program).arg("--version").output().is_ok();
     assert!(found || std::env::var_os("CAMERA_LAB_ALL_TOOLS").is_none(), "{program} is not installed");
     found
 }
 
-/// The SVG as pixels, `zoom` times as large as the picture; `None` without the program for it.
+/// The SVG as pixels, `zoom` times as large as the picture. `None` without the program for it.
 pub(crate) fn drawn(svg: &str, zoom: f64, bench: &Bench) -> Option<Pixmap> {
     let (from, to) = (format!("{:p}.svg", svg.as_ptr()), format!("{:p}.png", svg.as_ptr()));
     if !has("rsvg-convert") {
@@ -447,7 +447,7 @@ fn letters_on_paper_are_nine_points_and_small_ones_give_a_notice() {
     assert!(svg.contains("font-size=\"12\""), "9 pt are 12 px");
 }
 
-/// The sizes of the letters of an SVG file; subscripts are smaller.
+/// The sizes of the letters of an SVG file. Subscripts are smaller.
 fn letter_sizes(svg: &str) -> Vec<f64> {
     let size = |text: &str| text.split_once("font-size=\"")?.1.split('"').next()?.parse().ok();
     svg.split("<text").skip(1).filter_map(size).collect()
