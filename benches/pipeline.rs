@@ -50,7 +50,7 @@ fn mesh(triangles: f64) -> Mesh {
             let [a, b] = [j, (j + 1) % columns].map(|j| i * columns + j);
             let [c, d] = [a + columns, b + columns];
             mesh.triangles.extend([[a, c, d], [a, d, b]]);
-            // Each edge once; at the pole, where i = 0, a and b are one point.
+            // Each edge once. At the pole, i = 0, a and b are one point.
             mesh.edges.extend([[a, c], [a, d]].into_iter().chain((i > 0).then_some([a, b])));
         }
     }
@@ -75,7 +75,7 @@ fn around(mesh: &Mesh) -> Pictured {
     }
 }
 
-/// What is timed.
+/// The timed stages.
 const STAGES: [Stage; 7] = [
     Stage::Traverse,
     Stage::Transform,
@@ -223,8 +223,8 @@ fn main() {
     at_the_same_time(&figure, &wanted);
 }
 
-/// Times the three pictures of a figure side by side, 1920 × 1080 in all, and what a memory takes to clear and copy so
-/// many pixels.
+/// Times the three pictures of a figure side by side, 1920 × 1080 in all, and the time to clear and copy so many pixels
+/// in memory.
 fn at_the_same_time(figure: &Figure, wanted: &impl Fn(&str) -> bool) {
     let columns = |total: f64| [vec![0.0; STAGES.len() + 2], vec![total]].concat();
     let name = "clear and copy, 1920x1080";

@@ -117,7 +117,7 @@ fn text(m: DMat4, by_columns: bool, in_lines: bool, digits: Option<usize>) -> St
     if in_lines { lines.join("\n") } else { format!("[{}]", lines.join(", ")) }
 }
 
-/// By how much a camera that was read differs from the right one, in what its kind holds.
+/// The difference between a camera that was read and the right one, in the parameters that its kind holds.
 fn difference(read: &Candidate, right: &Camera) -> f64 {
     let found = Camera::new(&read.found.parameters).unwrap();
     let mut worst = 0.0_f64;
@@ -168,7 +168,7 @@ fn the_table_of_axes_is_that_of_the_programs() {
     }
 }
 
-/// How many random cameras: a few hundred take seconds; `.ci/release` asks for 10,000.
+/// The number of random cameras. A few hundred take seconds, and `.ci/release` asks for 10,000.
 fn cases() -> u32 {
     std::env::var("CAMERA_LAB_CASES").ok().and_then(|count| count.parse().ok()).unwrap_or(200)
 }
@@ -403,7 +403,7 @@ fn the_range_of_ndc_is_the_one_in_which_f_is_short() {
     }
 }
 
-/// A word of the text decides where numbers can't: a level camera in a world whose y points down.
+/// A word of the text decides if numbers can't: a level camera in a world whose y points down.
 #[test]
 fn words_of_the_text_decide() {
     let camera = camera_of([1.0, 2.0, 4.0]);

@@ -17,7 +17,7 @@ use retrofire_core::util::Buf2;
 
 const COLOR: [f32; 3] = [0x44 as f32 / 255.0, 0x77 as f32 / 255.0, 0xaa as f32 / 255.0];
 
-/// What both crates draw.
+/// The mesh and camera that both crates draw.
 struct Job {
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,

@@ -127,7 +127,7 @@ fn steps_of_a_full_circle_lead_back_bit_for_bit() {
 
 #[test]
 fn chains_round_once() {
-    // Out and in again by a factor that is no power of two; the angle passes within 1e-4 degrees of 180 on its way.
+    // Out and in again by a factor that is no power of two. The angle passes within 1e-4 degrees of 180 on its way.
     let start = camera(|_| ());
     assert_eq!(
         apply(&start, "zoom=3e-7 zoom=7 zoom=0.3 azimuth=12").view_angle(),

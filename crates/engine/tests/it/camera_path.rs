@@ -1,4 +1,4 @@
-//! The way from one camera to another: exact ends, cameras in between, and arcs about what stays.
+//! The way from one camera to another: exact ends, cameras in between, and arcs about fixed points.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

@@ -1,4 +1,4 @@
-//! The plan: what it says, and that it changes no pixel.
+//! The plan: its reasons, and that it changes no pixel.
 
 #![expect(clippy::unwrap_used, reason = "tests")]
 

@@ -1,4 +1,5 @@
-//! A matrix → its camera: what comes out has the matrix again, in every convention; what no camera has is named.
+//! A matrix → its camera: the result has the matrix again, in every convention, and a matrix of no camera is refused
+//! with the reason.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -80,7 +81,7 @@ fn parameters_that_a_matrix_does_not_hold_are_listed() {
         unknown(MatrixKind::ViewProjection, camera.clip_from_world()),
         [Unknown::FocalDistance, Unknown::ViewUp]
     );
-    // D and VUP are kept where they fit: the same camera comes back.
+    // D and VUP are kept if they fit: the same camera comes back.
     let back =
         recover(MatrixKind::ViewProjection, camera.clip_from_world(), Ndc::default(), camera.parameters()).unwrap();
     assert_eq!(back.parameters.view_up, DVec3::Y);

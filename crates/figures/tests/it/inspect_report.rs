@@ -1,4 +1,4 @@
-//! The report: its keys and their order, its numbers as text, and what it refuses.
+//! The report: its keys and their order, its numbers as text, and its refusals.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
