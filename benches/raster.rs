@@ -1,6 +1,6 @@
 //! Time to paint one closed mesh: `cargo bench --no-default-features --bench raster [-- WORDS…]`.
 //!
-//! A bumpy sphere fills most of the picture; back faces are culled already. Each row is the median of many pictures
+//! A bumpy sphere fills most of the picture, and back faces are culled already. Each row is the median of many pictures
 //! that are painted over one another, with as many threads as there are. Behind that come rows for the parts: the
 //! background alone, the sorting and dropping of triangles that own no sample, strokes with and without regard to the
 //! depth buffer, texts.

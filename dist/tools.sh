@@ -75,7 +75,7 @@ install_tool() {
     cargo install "$crate" --debug "$@"
 }
 
-# cargo_for TARGET COMMAND [ARGUMENT...]: cargo for another system. With rustup's standard library where that is installed or can
+# cargo_for TARGET COMMAND [ARGUMENT...]: cargo for another system. With rustup's standard library if that is installed or can
 # be had, and else with Debian's compiler, which brings its sources.
 cargo_for() {
     local target=$1 command=$2

@@ -62,13 +62,13 @@ fn each_mistake_gets_its_code() {
         ),
         ("view-matrix", "Mv", view_matrix(["-2", "-1", "-1"]), "translation-not-rotated"),
         ("view-matrix", "Mv", view_matrix(["1/√13", "5/√182", "9/√14"]), "position-not-negated"),
-        // θ = 40°, A = 5/4, F = 2/5; the tangent of 20 rad.
+        // θ = 40°, A = 5/4, F = 2/5, and the tangent of 20 rad.
         ("window", "H", "0.8*2.2371609442247422".to_owned(), "radians"),
         ("window", "H", "0.8*tan(40°)".to_owned(), "whole-angle"),
         ("window", "W", "0.8*tan(20°)/1.25".to_owned(), "aspect-inverted"),
         // θ = 40°, s = 3.
         ("zoom", "theta", "40/3".to_owned(), "zoom-on-angle"),
-        // The point is (1/(2√5), −7/(3√5), −25/6) in the VRC; θ = 50°, A = 4/3, F = 3/2, B = 75/2.
+        // The point is (1/(2√5), −7/(3√5), −25/6) in the VRC, with θ = 50°, A = 4/3, F = 3/2, B = 75/2.
         ("ndc", "ndc", "[0.5/√5*3/4/tan(25°), -7/(3√5)/tan(25°), 25/18]".to_owned(), "no-divide"),
         ("perspective-matrix", "Mp", projection_matrix(perspective, depth, "1"), "z-sign"),
         ("perspective-matrix", "Mp", projection_matrix(perspective, ["-20/19", "-8/19"], "-1"), "z-range"),
@@ -88,8 +88,7 @@ fn each_mistake_gets_its_code() {
             "[[3/√2, -3/√2, 0, 27/√2], [1/√2, 1/√2, 0, 1/√2], [0, 0, 0.5, 0.5], [0, 0, 0, 1]]".to_owned(),
             "order-reversed",
         ),
-        // n = (1, 1, 1)/√3, u = (−1, 1, 0)/√2, v = (−1, −1, 2)/√6, and 45°: about v in the place of u; and the other
-        // way.
+        // n = (1, 1, 1)/√3, u = (−1, 1, 0)/√2, v = (−1, −1, 2)/√6, and 45°: about v in place of u, and the other way.
         ("elevation", "n", "[1/√6 - 1/2, 1/√6 + 1/2, 1/√6]".to_owned(), "other-operation"),
         ("elevation", "n", "[1/√6 - 1/√12, 1/√6 - 1/√12, 1/√6 + 2/√12]".to_owned(), "opposite-angle"),
         ("window", "H", "0.29".to_owned(), "rounded-too-early"),
@@ -141,7 +140,7 @@ fn two_mistakes_together_are_both_named() {
     }
 }
 
-/// `[0]` 5.2 by hand: **n** = (6, −1, −1)/√38, **u** = (0, 1, −1)/√2, **v** = (1, 3, 3)/√19; after the zoom t = F/3 and
+/// `[0]` 5.2 by hand: **n** = (6, −1, −1)/√38, **u** = (0, 1, −1)/√2, **v** = (1, 3, 3)/√19. After the zoom t = F/3 and
 /// r = F/4.
 #[test]
 fn answers_that_depend_on_f_may_be_formulas_in_f() {

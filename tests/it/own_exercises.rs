@@ -22,8 +22,8 @@ fn fault(text: &str) -> [String; 2] {
     [Lang::En, Lang::PtBr].map(|lang| messages::figure(lang, &error))
 }
 
-/// By hand: C = (3, 4, 12), so D = 13 and **n** = (3, 4, 12)/13; (0, 1, 0) × **n** = (12, 0, −3)/13, so **u** = (4, 0,
-/// −1)/√17. A quarter turn about **v** takes **n** to **u**.
+/// By hand: C = (3, 4, 12), so D = 13 and **n** = (3, 4, 12)/13. Then (0, 1, 0) × **n** = (12, 0, −3)/13, so **u** =
+/// (4, 0, −1)/√17. A quarter turn about **v** takes **n** to **u**.
 #[test]
 fn the_examples_are_read_and_judged() {
     let found = read_exercises(Path::new(EXAMPLES)).unwrap();

@@ -244,8 +244,8 @@ fn a_part_of_a_thing_is_marked_by_its_name() {
     }
 }
 
-/// The two marks that were wrong once, by hand: the tip of the cone (2 high before its scale) is at (0.5, 1.8, −10),
-/// and b = 0.6 takes it to x_c = −0.1; the corner of the sheet is turned by 25° about y.
+/// The two marks that were wrong once, by hand. The tip of the cone (2 high before its scale) is at (0.5, 1.8, −10),
+/// and b = 0.6 takes it to x_c = −0.1. The corner of the sheet is turned by 25° about y.
 #[test]
 fn the_tip_of_the_cone_and_the_corner_of_the_turned_sheet_are_where_they_are_seen() {
     let marked = |id: &str| {

@@ -291,7 +291,7 @@ fn outcodes_and_distances_are_those_of_clip_space() {
     // By hand: left of x = −|z|, above y = |z|, beyond B = 3.
     let far_away = DVec3::new(-5.0, 6.0, -4.0);
     assert_eq!(clip_parts::outcode_of(eye, far_away), Some([true, false, false, true, false, true]));
-    // w = 4; z = (4 · 4 − 6)/2 = 5 by z_n = (B + F)/(B − F) − 2 F B/((B − F) d).
+    // w = 4, and z = (4 · 4 − 6)/2 = 5 by z_n = (B + F)/(B − F) − 2 F B/((B − F) d).
     assert_eq!(clip_parts::homogeneous_distances(eye, far_away, Ndc::default()), [-1.0, 9.0, 10.0, -2.0, 9.0, -1.0]);
     assert_eq!(clip_parts::outcode_of(eye, DVec3::NAN), None);
 }

@@ -308,7 +308,7 @@ fn files_of_other_programs_are_read() {
     // t = (0, 0, 4), R = diag(1, −1, −1): C = −Rᵀt = (0, 0, 4).
     assert_pose(&first, [0.0, 0.0, 4.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]);
     assert!((first.found.parameters.view_angle - 2.0 * 0.48_f64.atan().to_degrees()).abs() < 1e-9);
-    // glTF: a quarter turn about y looks along −x; the camera hangs on a node.
+    // glTF: a quarter turn about y looks along −x, and the camera hangs on a node.
     let h = 0.5_f64.sqrt();
     let gltf = format!(
         r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
@@ -320,7 +320,7 @@ fn files_of_other_programs_are_read() {
     let p = eye.found.parameters;
     assert!((p.view_angle - 0.7_f64.to_degrees()).abs() < 1e-12);
     assert_eq!((p.aspect, p.near, p.far), (1.5, 0.25, 40.0));
-    // KITTI: the second camera stands 0.5 to the right; four lenses in a file.
+    // KITTI: the second camera stands 0.5 to the right. Four lenses are in a file.
     let row = |x: f64| format!("700 0 600 {x} 0 700 180 0 0 0 1 0");
     let kitti = format!(
         "P0: {}\nP1: {}\nR0_rect: 1 0 0 0 1 0 0 0 1\nTr_velo_to_cam: 0 -1 0 0 0 0 -1 0 1 0 0 0",

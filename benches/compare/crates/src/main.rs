@@ -1,9 +1,9 @@
 //! Crates drawing the same mesh with the same camera: `compare FIGURE.toml CAMERA_LAB CRATE [FRAMES]`
 //!
 //! `euc` and `retrofire` draw its faces. A frame is: clear colour and depth, draw. `vello_cpu` and `tiny-skia` draw its
-//! edges as smooth strokes, each singly or, with `-one` after the name, all as one path; the ends of the strokes are
-//! computed beforehand. All draw on one thread into a buffer in memory, where their users read the pixels. Prints one
-//! JSON object in the form of `camera-lab bench`.
+//! edges as smooth strokes, each singly or, with `-one` after the name, all as one path. The ends of the strokes are
+//! computed beforehand. All draw on one thread into a buffer in memory, in which their users read the pixels. Prints
+//! one JSON object in the form of `camera-lab bench`.
 
 use std::process::Command;
 use std::time::Instant;

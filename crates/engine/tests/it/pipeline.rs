@@ -27,7 +27,7 @@ fn a_cube_before_the_eye_shows_its_front_where_the_notes_say() {
         surface.triangles.iter().flatten().map(|&i| surface.positions[i as usize].map(f64::from)).collect();
     corners.sort_by(|a, b| a.partial_cmp(b).unwrap());
     corners.dedup();
-    // The face is at d = 3: x_p = ±1/3 of a window 4 wide, 50 pixels a unit; depth = F(B − d)/(d(B − F)) = 6/24.
+    // The face is at d = 3: x_p = ±1/3 of a window 4 wide, 50 pixels a unit, and depth = F(B − d)/(d(B − F)) = 6/24.
     let (l, r) = (100.0 - 50.0 / 3.0, 100.0 + 50.0 / 3.0);
     let (t, b) = (50.0 - 50.0 / 3.0, 50.0 + 50.0 / 3.0);
     for (found, expected) in corners.iter().zip([[l, t], [l, b], [r, t], [r, b]]) {
