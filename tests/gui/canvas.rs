@@ -327,7 +327,7 @@ fn look(h: &mut Harness<'_, Stage>, from: &str) {
 }
 
 #[test]
-fn a_look_from_a_side_is_taken_and_an_untold_observer_stays_while_the_camera_moves_a_little() {
+fn a_side_view_is_stored_and_an_automatic_observer_ignores_small_moves() {
     let mut h = stage(|_| ());
     look(&mut h, "From the top (+y)");
     assert_eq!(world_observer(&h).elevation, 90.0);

@@ -34,7 +34,7 @@ fn keeping(folder: &Folder) -> Window {
 }
 
 #[test]
-fn the_keyboard_comes_to_the_exercises_and_a_panel_that_stood_open_is_not_closed_by_the_first_call() {
+fn the_exercises_key_moves_the_keyboard_there_and_closes_no_open_panel() {
     let folder = Folder::new("called");
     let call = |window: &mut Window| {
         window.harness.key_press_modifiers(Modifiers::ALT, Key::X);

@@ -81,7 +81,7 @@ fn alt_e_shows_explanations_in_the_place_of_the_numbers_and_takes_them_away_agai
 }
 
 #[test]
-fn an_entry_that_has_the_keyboard_says_formula_numbers_and_value_and_lights_up_the_world() {
+fn a_focused_entry_shows_formula_and_value_and_lights_up_the_world() {
     let mut window = explaining(Lang::PtBr);
     with_camera(&mut window, |camera| {
         camera.view_angle = 90.0;
@@ -198,7 +198,7 @@ fn changed_entries_glow_and_then_painting_stops() {
 }
 
 #[test]
-fn the_entries_that_depend_on_a_parameter_are_marked_while_its_field_has_the_keyboard() {
+fn dependent_entries_are_marked_while_a_parameters_field_has_focus() {
     let mut window = explaining(Lang::En);
     let places = ["row 1, column 1", "row 2, column 2", "row 3, column 3", "row 4, column 3"]
         .map(|place| entry(&window, &format!("M_p, {place}:")));

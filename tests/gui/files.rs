@@ -431,7 +431,7 @@ fn save_as_into_another_folder_keeps_mesh_materials_texture_and_photograph() {
 }
 
 #[test]
-fn an_image_exported_elsewhere_carries_its_files_and_saving_its_figure_writes_them_too() {
+fn an_image_exported_elsewhere_carries_its_files_and_saves_them_too() {
     let folder = Folder::new("carried");
     for part in ["a", "far"] {
         fs::create_dir(folder.file(part)).expect("a folder");

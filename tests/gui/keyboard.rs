@@ -78,7 +78,7 @@ fn ctrl_tab_goes_from_region_to_region_in_both_directions() {
 }
 
 #[test]
-fn tab_reaches_every_control_once_each_has_a_name_and_rows_are_gone_through_as_they_are_read() {
+fn tab_reaches_every_named_control_once_in_reading_order() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = whole();
         window.app_mut().state.model.settings.lang = lang;

@@ -282,7 +282,7 @@ fn text_whose_file_another_program_has_changed_goes_into_a_copy() {
 }
 
 #[test]
-fn a_step_that_is_added_to_the_lesson_that_is_written_is_no_change_of_another_program() {
+fn a_step_added_to_the_edited_lesson_is_no_change_by_another_program() {
     let folder = Folder::new("write-add");
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);

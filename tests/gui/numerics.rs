@@ -36,7 +36,7 @@ fn measured(window: &mut Window) {
 }
 
 #[test]
-fn a_study_is_measured_and_its_worst_cameras_open_once_changes_have_been_asked_about() {
+fn a_study_is_measured_and_its_worst_cameras_open_after_a_question() {
     let (folder, mut window) = (Folder::new("study"), window(Lang::En));
     window.app_mut().keep_session(&folder.0, false);
     window.click("Clipping through w = 0");

@@ -163,7 +163,7 @@ fn cancelling_the_close_loses_no_figure() {
 }
 
 #[test]
-fn outside_of_a_presentation_the_keys_are_those_of_the_menu_and_a_new_figure_is_not_lost() {
+fn outside_a_presentation_menu_keys_apply_and_a_new_figure_is_not_lost() {
     let mut window = Window::new(Lang::En);
     window.enter("B", "33");
     window.command_key(Key::PageDown);

@@ -456,7 +456,7 @@ fn switching_the_language_leaves_no_word_of_the_other_in_the_tab() {
 }
 
 #[test]
-fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says_why() {
+fn a_mesh_file_is_added_by_relative_path_and_a_broken_one_says_why() {
     let folder = Folder::new("meshes");
     let path = folder.file("figure.toml");
     std::fs::write(&path, "[scene]\npreset = \"empty\"\n").expect("written");

@@ -132,7 +132,7 @@ fn with_house(lang: Lang) -> Window {
 }
 
 #[test]
-fn a_click_on_a_stage_shows_it_in_its_picture_and_a_second_click_or_escape_takes_it_away() {
+fn a_click_on_a_stage_shows_it_and_a_second_click_or_escape_hides_it() {
     let mut window = with_house(Lang::En);
     let figure = window.state().model.desk.shown.figure().clone();
     let drawn = |window: &mut Window| window.app_mut().canvas.drawn()[View::Image.index()];

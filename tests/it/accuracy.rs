@@ -120,7 +120,7 @@ fn single_precision_loses_a_world_far_away_and_keeps_it_relative_to_the_eye() {
 /// The axis u is off by the unit roundoff over the angle: Higham, *Accuracy and Stability of Numerical Algorithms*,
 /// 2002, §1.7 on cancellation.
 #[test]
-fn a_naive_basis_is_off_by_the_unit_roundoff_over_the_angle_and_the_programs_is_not() {
+fn a_naive_basis_is_off_by_roundoff_over_the_angle_and_the_own_is_not() {
     let findings = findings(Study::Basis);
     for angle in [1e-2, 1e-6, 1e-11, 1e-13] {
         let error = |method| row(findings, "size 1", angle, method).error;

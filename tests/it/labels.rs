@@ -211,7 +211,7 @@ fn lines_of_a_legend_are_hidden_renamed_and_styled_and_the_legend_moves_as_a_who
 }
 
 #[test]
-fn a_line_of_a_legend_that_is_dragged_takes_the_legend_along_and_automatic_again_brings_it_back() {
+fn a_dragged_line_of_a_legend_takes_it_along_and_automatic_undoes_it() {
     let mut labels = parse(FIGURE).unwrap().labels;
     labels.move_to("legend:depth", View::Image, DVec2::X);
     labels.move_to("legend:nothing", View::Image, DVec2::Y);

@@ -289,7 +289,7 @@ fn wrong_in_canonical(scene: &Scene, camera: &Camera, light: Light, observer: &C
 }
 
 #[test]
-fn in_the_canonical_volume_shadows_fall_on_the_same_points_of_surfaces_as_in_the_world() {
+fn shadows_fall_on_the_same_points_in_world_and_canonical_volume() {
     let figure = parse(TABLE).unwrap();
     let low_sun = Light::directional(DVec3::new(1.5, -1.0, -0.3)).with_shadows(Shadows::CAST);
     for light in [low_sun, lamp()] {

@@ -120,7 +120,7 @@ fn the_aspect_of_an_image_is_its_width_by_its_height() {
 }
 
 #[test]
-fn a_point_in_the_plane_of_the_eye_is_there_through_the_rounding_of_its_coordinates() {
+fn a_point_in_the_plane_of_the_eye_stays_there_despite_rounding() {
     // Exercise 5.1: C + u + v = (2.2, 4.6, −1), of which no `f64` holds the first two.
     let camera = camera(|p| p.position = DVec3::new(3.0, 4.0, 0.0));
     let at = |point| camera.stations(point, IMAGE, &Viewport::whole(IMAGE));

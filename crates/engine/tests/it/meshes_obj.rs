@@ -228,7 +228,7 @@ fn files_of_other_programs_are_read_with_a_notice() {
 }
 
 #[test]
-fn a_material_that_hides_its_object_altogether_is_opaque_and_one_that_does_not_stays() {
+fn a_fully_transparent_material_becomes_opaque_and_others_stay() {
     let text = b"mtllib m.mtl\nusemtl glass\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     let read = |opacity: &str| {
         let library = format!("newmtl glass\nKd 1 0 0\n{opacity}\nnewmtl unused\nTr 1.0\n");

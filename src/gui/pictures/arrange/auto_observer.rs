@@ -217,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn turning_the_camera_turns_no_observer_and_a_camera_that_comes_back_is_seen_as_before() {
+    fn turning_the_camera_turns_no_observer_and_returning_restores_the_view() {
         let mut seen = Seen::new();
         let camera = Camera::new(&seen.figure.camera).unwrap();
         let turned = |degrees| {
