@@ -1,12 +1,13 @@
 //! Time of each stage from a scene to its drawing: `cargo bench --no-default-features --bench pipeline [-- WORDS…]`.
 //!
-//! Each row tells of many frames, one made in the memory of the one before, with as many threads as there are: the
-//! least time of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex
-//! through all spaces, the divide and the viewport included. Rows: one bumpy sphere that fills most of the picture,
-//! wholly inside, across some planes, and for the most part out of the picture; the same with a picture on it, and
-//! in the shadow of itself; its edges alone, or with its faces; faces put in order, of that sphere and of two tori that
-//! are linked; many objects, of which few are in view; the three pictures of the default figure, and of a sphere; these
-//! three at the same time, beside a memory that is cleared and copied. Words choose rows (`1000000 gouraud`).
+//! Each row is about many frames, one made in the memory of the one before, with as many threads as there are. It gives
+//! the least time of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex
+//! through all spaces, the divide and the viewport included. The first rows draw one bumpy sphere that fills most of
+//! the picture, wholly inside, across some planes, and for the most part out of the picture. Then come the same sphere
+//! with a picture on it and in the shadow of itself, and its edges alone or with its faces. Others put faces in order,
+//! of that sphere and of two tori that are linked, or draw many objects, of which few are in view. The last rows draw
+//! the three pictures of the default figure, and of a sphere, and these three at the same time, beside a memory that is
+//! cleared and copied. Words choose rows (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
@@ -52,7 +53,7 @@ fn mesh(triangles: f64) -> Mesh {
             let [a, b] = [j, (j + 1) % columns].map(|j| i * columns + j);
             let [c, d] = [a + columns, b + columns];
             mesh.triangles.extend([[a, c, d], [a, d, b]]);
-            // Each edge once; at the pole, where i = 0, a and b are one point.
+            // Each edge once. At the pole, i = 0, a and b are one point.
             mesh.edges.extend([[a, c], [a, d]].into_iter().chain((i > 0).then_some([a, b])));
         }
     }
@@ -77,7 +78,7 @@ fn around(mesh: &Mesh) -> Pictured {
     }
 }
 
-/// What is timed.
+/// The timed stages.
 const STAGES: [Stage; 7] = [
     Stage::Traverse,
     Stage::Transform,
@@ -225,8 +226,8 @@ fn main() {
     at_the_same_time(&figure, &wanted);
 }
 
-/// Times the three pictures of a figure side by side, 1920 × 1080 in all, and what a memory takes to clear and copy so
-/// many pixels.
+/// Times the three pictures of a figure side by side, 1920 × 1080 in all, and the time to clear and copy so many pixels
+/// in memory.
 fn at_the_same_time(figure: &Figure, wanted: &impl Fn(&str) -> bool) {
     let columns = |total: f64| [vec![0.0; STAGES.len() + 2], vec![total]].concat();
     let name = "clear and copy, 1920x1080";

@@ -1,6 +1,6 @@
 //! Time to paint one closed mesh: `cargo bench --no-default-features --bench raster [-- WORDS…]`.
 //!
-//! A bumpy sphere fills most of the picture; back faces are culled already. Each row is the median of many pictures
+//! A bumpy sphere fills most of the picture, and back faces are culled already. Each row is the median of many pictures
 //! that are painted over one another, with as many threads as there are. Behind that come rows for the parts: the
 //! background alone, the sorting and dropping of triangles that own no sample, strokes with and without regard to the
 //! depth buffer, texts.
@@ -91,11 +91,11 @@ fn empty(width: u32, height: u32, antialias: Samples) -> Drawing {
     Drawing { antialias, ..Drawing::new(width, height, Rgba::rgb(255, 255, 255)) }
 }
 
-/// Drawings of which all but one part is nothing, or of which that part is what they have more than another.
+/// Drawings with one part that takes time, or with one part more than another drawing has.
 fn parts(antialias: Samples) -> Vec<(&'static str, Drawing)> {
     let (width, height) = (1920, 1080);
     let nothing = empty(width, height, antialias);
-    // All within a share of a pixel where no sample is.
+    // All within a share of a pixel that has no sample.
     let mut dust = mesh(width, height, 1_000_000, true);
     dust.positions.iter_mut().for_each(|p| *p = [1e-5 * p[0] + 0.001, 1e-5 * p[1] + 0.001, p[2]]);
     let ball = mesh(width, height, 1_000, true);

@@ -2,13 +2,13 @@
 //!
 //! The whole window with the figure that it begins with, 1920 × 1080 points, a pixel to a point, is run without a
 //! display: events go in, shapes and textures come out. A frame here is the layout by egui with all of this program's
-//! code; it waits for its pictures, however long they take, so that it ends when all pictures of a change are in their
-//! textures. What a window does then is not in it: tessellation is a column of its own, and OpenGL is not called (for
-//! its share see `docs/performance.md`). Each row takes turns with frames in which nothing changes: "beyond" is how
-//! much longer its frame takes than those, of the medians and of the least. "layers" is how often a frame paints each
-//! pixel of the window, on average; "kB" is what it sends to textures, "pictures" how many it draws. Rows: nothing
-//! changes; the pointer moves; a hand drags the observer of the world, θ, and the slider of the azimuth; a field has
-//! the caret in it, and nobody types. Words choose rows (`observer`).
+//! code. It waits for its pictures, however long they take, so that it ends when all pictures of a change are in their
+//! textures. The window's work after that is not included: tessellation is a column of its own, and OpenGL is not
+//! called (for its share see `docs/performance.md`). Each row takes turns with frames in which nothing changes, and
+//! "beyond" is how much longer its frame takes than those, of the medians and of the least. "layers" is how often a
+//! frame paints each pixel of the window, on average, "kB" is how much it sends to textures, "pictures" how many it
+//! draws. The rows are: nothing changes, the pointer moves, a hand drags the observer of the world, θ, or the slider of
+//! the azimuth, or a field has the caret in it and no key is pressed. Words choose rows (`observer`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
@@ -45,7 +45,7 @@ struct Window {
     now: f64,
 }
 
-/// What a frame took.
+/// The cost of a frame.
 struct Frame {
     layout: Duration,
     tessellation: Duration,
@@ -106,7 +106,7 @@ impl Window {
         Frame { layout, tessellation, layers, uploaded, drawn: drawn(&self.app) - before, next }
     }
 
-    /// Where the widget of this name is.
+    /// The place of the widget with this name.
     fn place(&mut self, role: Role, name: &str) -> Option<Rect> {
         self.ctx.enable_accesskit();
         let mut output = self.run(Vec::new());
@@ -120,7 +120,7 @@ impl Window {
         Some(Rect::from_min_max(corner(bounds.x0, bounds.y0), corner(bounds.x1, bounds.y1)))
     }
 
-    /// Where a picture is.
+    /// The place of a picture.
     fn picture(&self, view: View) -> Option<Rect> {
         self.app.canvas.places().find(|(of, _)| *of == view).map(|(_, place)| place)
     }
@@ -143,7 +143,7 @@ fn row(name: &str, window: &mut Window, mut events: impl FnMut(usize) -> Vec<Eve
     let (mut idle, mut frames) = (Vec::new(), Vec::new());
     for turn in 0..FRAMES {
         let frame = window.frame(events(turn));
-        // What the event was, one more frame may tell.
+        // One more frame may show the effect of the event.
         window.frame(Vec::new());
         frames.push(frame);
         idle.push(window.frame(Vec::new()));
@@ -161,7 +161,7 @@ fn row(name: &str, window: &mut Window, mut events: impl FnMut(usize) -> Vec<Eve
     println!(" {layers:>11.2} {sent:>11.0} {drawn:>11.2}");
 }
 
-/// Where a hand is that goes to and fro, always at another place than in the frame before.
+/// The place of a hand that goes to and fro, always another place than in the frame before.
 fn to_and_fro(turn: usize) -> f32 {
     let at = turn % (2 * WAY);
     at.min(2 * WAY - at) as f32 - WAY as f32 / 2.0
@@ -179,7 +179,7 @@ fn drag(name: &str, window: &mut Window, from: Option<Pos2>, step: Vec2) {
     window.frame(vec![Event::PointerGone]);
 }
 
-/// Counts the frames that a window asks for while a field has the caret in it and nobody types.
+/// Counts the frames that a window asks for while a field has the caret in it and no key is pressed.
 fn caret(name: &str, window: &mut Window) {
     let Some(field) = window.place(Role::SpinButton, "θ") else {
         println!("{name:<34} not found");

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Frames of the window with OpenGL in software: benches/window.sh [PROGRAM]
-# The window fills a display of Xvfb of 1920 × 1080, and the pointer moves thirty times a second: over a panel; with the
-# world held; with θ held. For each: frames a second, milliseconds of a processor a frame, with those of Xvfb, and by
+# The window fills a display of Xvfb of 1920 × 1080, and the pointer moves thirty times a second: over a panel, with the
+# world held, or with θ held. For each it prints frames a second, milliseconds of a processor a frame, with those of Xvfb, and by
 # perf which part they go to: "shading" is code that llvmpipe has made, "driver" the rest of it. Needs Xvfb, xdotool,
 # gdb, perf, and Mesa's llvmpipe.
 set -euo pipefail

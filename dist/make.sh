@@ -26,7 +26,7 @@ export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
 # The time of the last change to the sources, not of the build.
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || date -r CHANGELOG.md +%s)}
 export SOURCE_DATE_EPOCH
-# Where the sources lie is not to be read in the program.
+# The path of the sources must not be in the program.
 export CARGO_ENCODED_RUSTFLAGS="--remap-path-prefix=$PWD=camera-lab"$'\x1f'"--remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
 
 # Profile of the program for Windows, and the folder that Cargo gives it.
@@ -52,7 +52,7 @@ make_web() (
     install_packages python3
     page=$CARGO_TARGET_DIR/page
     target=wasm32-unknown-unknown
-    # Vectors of 128 bits, as browsers have had them since 2023: without them what is drawn in vectors is a third of the program.
+    # Vectors of 128 bits, as browsers have had them since 2023. Without them the code drawn in vectors is a third of the program.
     export CARGO_ENCODED_RUSTFLAGS+=$'\x1f'-Ctarget-feature=+simd128
     cargo_for "$target" build --profile web --bin camera-lab
     cargo_for "$target" build --profile web --package camera-lab-unpack
@@ -101,7 +101,7 @@ make_tar() {
 make_deb() {
     command -v cargo-deb >/dev/null || CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' install_tool cargo-deb '^3'
     build_program
-    # Cargo.toml names what is packed as it lies in the folder that cargo takes without being told otherwise.
+    # Cargo.toml names the packed files as they lie in the folder that cargo takes by default.
     [ "$manual" -ef target/manual ] || { mkdir -p target && ln -sfn "$manual" target/manual; }
     cargo deb --locked --no-build --no-strip --output "$out/"
 }
@@ -125,7 +125,7 @@ make_all() {
         camera-lab.html "camera-lab-$version-$(uname -m)-linux.tar.gz" camera-lab_*.deb >SHA256SUMS)
 }
 
-# What links the programs that compilers run.
+# The linker of the programs that compilers run.
 install_packages gcc libc6-dev
 "make_$1"
 ls -l "$out"

@@ -1,4 +1,4 @@
-# What the scripts of this project share; read by them with `source`.
+# Functions that the scripts of this project share, read by them with `source`.
 
 steps_took=()
 
@@ -18,7 +18,7 @@ end_step() {
     step_name=
 }
 
-# all_steps FILE: says what every step took, at the end of a run. RECORD=1 writes it into FILE, which git keeps.
+# all_steps FILE: prints the time of every step at the end of a run. RECORD=1 writes it into FILE, which git keeps.
 all_steps() {
     end_step
     count_processor
@@ -30,7 +30,7 @@ all_steps() {
     }
 }
 
-# User and system time of this shell and of what it has waited for, in whole seconds.
+# User and system time of this shell and of the programs it has waited for, in whole seconds.
 count_processor() {
     local file
     file=$(mktemp)
@@ -42,7 +42,7 @@ count_processor() {
 
 fail() { printf 'FAILED: %s\n' "$*" >&2; exit 1; }
 
-# Installs what is missing of Debian's packages. On other systems they are named, so that the user can.
+# Installs missing packages of Debian. On other systems it names them, so that the user can.
 install_packages() {
     if ! command -v dpkg-query >/dev/null; then
         printf 'needed here, by their names in Debian: %s\n' "$*"
@@ -63,8 +63,8 @@ install_packages() {
         sh -c 'apt-get update -q && apt-get install -q -y --no-install-recommends "$@"' sh "${missing[@]}"
 }
 
-# install_tool CRATE VERSION [ARGUMENT...]: has cargo build a program of others. First as its own lock file says; a registry may not have what that names, and then
-# the newest versions are taken that this compiler can build. Without optimisation: what runs for seconds is there in a third of the time.
+# install_tool CRATE VERSION [ARGUMENT...]: has cargo build a program of others. First as its own lock file says. If a registry doesn't have those versions, then
+# the newest versions are taken that this compiler can build. Without optimisation: a program that runs for seconds is built in a third of the time.
 install_tool() {
     local crate=$1 version=$2
     shift 2
@@ -75,8 +75,8 @@ install_tool() {
     cargo install "$crate" --debug "$@"
 }
 
-# cargo_for TARGET COMMAND [ARGUMENT...]: cargo for another system. With rustup's standard library where that is installed or can
-# be had; else with Debian's compiler, which brings its sources.
+# cargo_for TARGET COMMAND [ARGUMENT...]: cargo for another system. With rustup's standard library if that is installed or can
+# be had, and else with Debian's compiler, which brings its sources.
 cargo_for() {
     local target=$1 command=$2
     shift 2
@@ -101,7 +101,7 @@ cargo_for() {
 has_target() {
     command -v rustup >/dev/null || return 1
     rustup target list --installed 2>/dev/null | grep -qx "$1" && return
-    # Where there is no network it says so at once; a proxy that never answers is not waited for. (Macs have no timeout.)
+    # Without a network it says so at once, but a proxy that never answers is not waited for. (Macs have no timeout.)
     if command -v timeout >/dev/null; then
         timeout 120 rustup target add "$1"
     else

@@ -1,7 +1,8 @@
-//! Tries cameras, operations, points and scenes that nobody would write:
+//! Tries cameras, operations, points and scenes that no person would write:
 //! `cargo run --release --example stress -- [COUNT] [SEED] [FIRST]`.
 //!
-//! Prints the seed; a case that fails, panics or takes longer than a second is told with the arguments that repeat it.
+//! Prints the seed. For a case that fails, panics or takes longer than a second, it prints the arguments that repeat
+//! it.
 #![expect(clippy::print_stdout, reason = "a program")]
 
 #[path = "../tests/it/stress_case.rs"]

@@ -46,7 +46,7 @@ antialias = {samples}
 """
 
 
-# What the figures of textures and shadows have more: in their object, and behind it.
+# Additions for the figures of textures and shadows: in their object, and behind it.
 PICTURE = '''
 texture = "picture.png"
 texture_scale = [4.0, 4.0]

@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-# What people download at most.
+# The most that people download.
 MOST_BYTES = 3_100_000
 
 # Loaded from the server that the page is on, and from nowhere else.
@@ -57,7 +57,7 @@ ALONE = """<script>
   }
 </script>"""
 
-# Both scripts of wasm-bindgen make one name; after these there are two.
+# Both scripts of wasm-bindgen make one name. After these there are two.
 UNPACK_JS = """let cameraLabUnpacking = (() => {
 @BINDINGS@
 return wasm_bindgen;
@@ -115,7 +115,7 @@ def main(made: pathlib.Path, out: pathlib.Path) -> None:
     total = 0
     for name, data in files.items():
         (out / name).write_bytes(data)
-        # As web servers pack what is not packed yet.
+        # As web servers pack a file that is not packed yet.
         small = len(data) if name.endswith(".lzma") else len(gzip.compress(data, 9, mtime=0))
         total += small
         print(f"{name}: {len(data)} bytes, {small} compressed")

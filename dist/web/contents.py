@@ -87,7 +87,7 @@ def main(path: pathlib.Path) -> None:
         size, start = number(data, at)
         pieces[crate(names.get(index, ""))].append((start, start + size))
         at = start + size
-    # What wasm-bindgen and the page don't keep isn't counted.
+    # Functions that wasm-bindgen and the page don't keep aren't counted.
     start, end = found["code"][0], found["data"][1]
     pieces["data: texts, fonts, tables"].append(found["data"])
     whole = packed(data[start:end])

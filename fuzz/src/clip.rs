@@ -1,4 +1,4 @@
-//! Clipping: of any triangles what is left is in the volume, and all indices exist.
+//! Clipping: the clipped part of any triangles is in the volume, and all indices exist.
 
 use std::sync::Arc;
 

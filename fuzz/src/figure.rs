@@ -1,4 +1,4 @@
-//! What is read as a figure is written so that it reads back, and an edit of its own text changes nothing.
+//! A text that reads as a figure is written so that it reads back, and an edit of its own text changes nothing.
 
 use camera_lab::figure::{read, update, write};
 

@@ -1,4 +1,4 @@
-//! A link holds the figure or lesson that was put into it, whatever a mail program adds; anything else that looks like
+//! A link holds the figure or lesson that was put into it, whatever a mail program adds. Any other text that looks like
 //! one is a text, an error, or no link.
 
 use arbitrary::{Arbitrary, Unstructured};
@@ -10,9 +10,9 @@ struct Input<'a> {
     address: &'a str,
     text: &'a str,
     is_lesson: bool,
-    /// What stands where the packed figure should.
+    /// The text in place of the packed figure.
     packed: &'a str,
-    /// A change on the way: where, and into what.
+    /// A change on the way: its place, and the new character.
     damage: Option<(u16, char)>,
 }
 

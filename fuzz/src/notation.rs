@@ -15,7 +15,7 @@ pub enum Notation {
 }
 
 impl Notation {
-    /// The cells of a table, row by row, as text; a vector lies.
+    /// The cells of a table, row by row, as text. A vector lies.
     pub fn table(self, kind: &Kind, rows: usize, cells: &[String]) -> String {
         let (comma, open, close) = match self {
             Self::Brackets => (", ", "[", "]"),

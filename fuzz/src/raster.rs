@@ -9,7 +9,7 @@ const SIZE: [u32; 2] = [70, 53];
 /// Tries one input.
 pub fn run(bytes: &[u8]) {
     let Some((&[choices, alpha], bytes)) = bytes.split_first_chunk::<2>() else { return };
-    // Places on the grid of subpixels, in the picture; depths are what they are.
+    // Places on the grid of subpixels, in the picture. Depths stay as they are.
     let point = |b: &[u8]| {
         let place = |low: u8, high: u8, size: u32| f32::from(u16::from_le_bytes([low, high])) / 65535.0 * size as f32;
         let grid = |v: f32| (v * 256.0).round() / 256.0;

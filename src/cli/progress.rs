@@ -52,7 +52,7 @@ mod tests {
     use crate::progress::Activity;
 
     #[test]
-    fn what_is_done_is_told_only_where_it_takes_long_and_the_line_is_empty_afterwards() {
+    fn progress_is_printed_only_if_work_is_long_and_is_cleared_afterwards() {
         let told_of = |patience, work: fn(&Progress)| {
             let mut out = Vec::new();
             told(Lang::En, &mut out, patience, work);

@@ -16,8 +16,8 @@ use proptest::test_runner::RngSeed;
 
 use super::scenes::CLAY;
 
-/// The same cases in every run, unless `PROPTEST_RNG_SEED` asks for others; `PROPTEST_CASES` (256) times `factor` of
-/// them.
+/// The same cases in every run, unless `PROPTEST_RNG_SEED` asks for others. There are `PROPTEST_CASES` (256) times
+/// `factor` of them.
 pub(crate) fn reproducible(factor: u32) -> ProptestConfig {
     let config = ProptestConfig::default();
     let rng_seed = match config.rng_seed {

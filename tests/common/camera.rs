@@ -43,7 +43,7 @@ pub(crate) fn assert_close3(found: DVec3, expected: DVec3) {
     assert!((found - expected).abs().max_element() <= tolerance, "{found} is not {expected}");
 }
 
-/// The rows of a matrix, as they are written in the notes; −0 is 0.
+/// The rows of a matrix, as they are written in the notes, with −0 as 0.
 pub(crate) fn rows(m: DMat4) -> [[f64; 4]; 4] {
     m.transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0))
 }

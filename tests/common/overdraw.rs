@@ -3,8 +3,8 @@
 use eframe::egui::epaint::{ClippedPrimitive, Primitive};
 use eframe::egui::{Pos2, Rect};
 
-/// The area that triangles cover, in square points; what is painted over counts each time. Of a triangle that is cut
-/// off, the share of the rectangle around it is taken.
+/// The area that triangles cover, in square points. A place that is painted over counts each time. Of a triangle that
+/// is cut off, the share of the rectangle around it is taken.
 pub(crate) fn painted(primitives: &[ClippedPrimitive]) -> f32 {
     let of_mesh = |clipped: &ClippedPrimitive| match &clipped.primitive {
         Primitive::Callback(_) => 0.0,

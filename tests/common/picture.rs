@@ -1,7 +1,7 @@
 //! Reference pictures: exact, in `tests/images/`.
 //!
-//! `UPDATE_IMAGES=1 cargo test` writes them anew: look at them before you commit them. On a mismatch a strip
-//! expected | difference | actual is written beside the reference, as `NAME.diff.png`.
+//! `UPDATE_IMAGES=1 cargo test` writes them again. Look at them before you commit them. On a mismatch a strip expected
+//! | difference | actual is written beside the reference, as `NAME.diff.png`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ pub(crate) fn assert_same(name: &str, width: u32, height: u32, premultiplied: &[
         panic!("{} cannot be read; UPDATE_IMAGES=1 writes it", path.display());
     };
     if expected == actual {
-        // What an earlier failure left; it may well not be there.
+        // A file of an earlier failure. It may well not be there.
         let _ = fs::remove_file(strip);
         return;
     }

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::{env, fs};
 
-/// A directory of one test's own, gone at its end, where the program runs.
+/// A directory of one test's own in which the program runs. It's gone at the test's end.
 pub(crate) struct Bench {
     directory: PathBuf,
 }
 
-/// What a run of the program gave.
+/// The result of a run of the program.
 #[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) status: Option<i32>,

@@ -1,4 +1,4 @@
-//! Random shots of the house: what is shown of it, from where it is seen, and what is done to its camera.
+//! Random shots of the house: its options, its observers, and operations on its camera.
 
 use camera_lab::camera::{Decomposition, Ndc, Operation, Parameters};
 use camera_lab::figure::words::MEASURES;
@@ -26,7 +26,7 @@ pub(crate) fn scene(figure: &Figure) -> SharedScene {
     SharedScene::new(scene_of(figure, &mut no_files, &Default::default()).expect("a scene"))
 }
 
-/// What may be shown of the house.
+/// The options that may be shown of the house.
 pub(crate) fn shows() -> impl Strategy<Value = Show> {
     let objects: Vec<(String, usize)> = scene(&house(Show::default()))
         .objects
@@ -100,7 +100,7 @@ fn preview(names: Vec<String>) -> impl Strategy<Value = TransformPreview> {
     )
 }
 
-/// From where the pictures may be seen.
+/// The observers that the pictures may have.
 pub(crate) fn observers() -> impl Strategy<Value = Observers> {
     let observer = || {
         let angles = (-180.0..180.0_f64, -90.0..=90.0_f64, prop_oneof![Just(0.0), -180.0..180.0_f64]);
@@ -118,7 +118,7 @@ pub(crate) fn observers() -> impl Strategy<Value = Observers> {
     (option::of(observer()), option::of(observer())).prop_map(|(world, canonical)| Observers { world, canonical })
 }
 
-/// What may be done to a camera: nothing, a little, or a hundred operations in a row.
+/// Operations on a camera: none, a few, or a hundred in a row.
 pub(crate) fn operations() -> impl Strategy<Value = Vec<Operation>> {
     let angle = || (-20.0..20.0_f64).prop_map(Angle::from_degrees);
     let factor = || 0.9..1.1_f64;

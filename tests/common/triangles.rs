@@ -73,7 +73,7 @@ pub(crate) fn owns_point(triangle: [[f32; 3]; 3], p: [i128; 2]) -> bool {
         match cross(a, b, p) {
             0 if a[1] == b[1] => third[1] > a[1],
             0 => {
-                // The edge is at the left where the third corner lies to the right of it, at its own height.
+                // The edge is at the left if the third corner lies to the right of it, at its own height.
                 let at = |q: [i128; 2]| (q[0] - a[0]) * (b[1] - a[1]) - (q[1] - a[1]) * (b[0] - a[0]);
                 (at(third) > 0) == (b[1] > a[1])
             }

@@ -1,4 +1,4 @@
-//! What happens to files and clocks while a window is open: said, and nothing is lost.
+//! Accidents to files and clocks while a window is open: a message names each, and nothing is lost.
 #![cfg(unix)]
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -32,7 +32,7 @@ impl Window {
 }
 
 #[test]
-fn what_is_no_figure_is_refused_when_it_is_dropped_and_the_figure_stays() {
+fn a_dropped_file_that_is_no_figure_is_refused() {
     let folder = Folder::new("dropped-else");
     let huge = folder.file("huge.toml");
     // A hole, which takes no room on the disk.
@@ -50,7 +50,7 @@ fn what_is_no_figure_is_refused_when_it_is_dropped_and_the_figure_stays() {
         assert!(window.says(said), "{:?}", window.state().model.message);
         assert_eq!(window.state().model.desk.shown.name(), None);
     }
-    // With changes, it is asked before, and what was changed is there after all.
+    // With changes, the window asks first, and the changes are there after all.
     window.enter("B", "40");
     window.drop_files([&*huge]);
     window.click(en::WINDOW.dont_save);
@@ -78,7 +78,7 @@ fn meshes_that_are_none_stand_in_the_scene_with_the_reason() {
 }
 
 #[test]
-fn of_a_thousand_files_one_is_taken_and_that_is_said() {
+fn of_a_thousand_dropped_files_one_opens_and_a_message_says_so() {
     let folder = Folder::new("dropped-many");
     let paths: Vec<_> = (0..1000).map(|i| folder.file(&format!("{i}.toml"))).collect();
     fs::write(&paths[0], "[camera]\nfar = 61.0\n[scene]\npreset = \"empty\"\n").unwrap();
@@ -87,7 +87,7 @@ fn of_a_thousand_files_one_is_taken_and_that_is_said() {
     assert_eq!(window.state().model.desk.shown.draft().far, 61.0);
     let said = window.state().model.message.as_ref().unwrap().text(Lang::En);
     assert!(said.starts_with("Of 1000 files, the window opens one: ") && said.ends_with("0.toml"), "{said}");
-    // What is wrong with the one is more than how many there are.
+    // An error in the one file matters more than the number of files.
     window.drop_files(paths[1..].iter().map(|path| &**path));
     assert!(window.says("1.toml cannot be read"));
     assert_eq!(window.state().model.desk.shown.draft().far, 61.0);
@@ -127,14 +127,14 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
         fields.any(|field| field.value().as_deref() == Some("89"))
     };
     assert!(typed(&window));
-    // Gone: what is open is worked on, and judged.
+    // The folder is gone, but you still work on the open exercise, and it is judged.
     fs::remove_dir_all(&lecture).unwrap();
     window.command_key(Key::Enter);
     assert!(typed(&window) && window.says("wrong"));
     again(&mut window);
     assert!(window.says("lecture cannot be read: there is no such file"));
     assert!(window.state().learn.exercises.entry("field-of-view").is_none());
-    // A pipe in the place of its file: said at once, and nobody waits for it.
+    // A pipe in the place of its file: a message says so at once, and nothing waits for it.
     fs::create_dir_all(&lecture).unwrap();
     pipe(&lecture.join("a.toml"));
     window.click(en::EXERCISE_WINDOW.own_again);
@@ -145,7 +145,7 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
     fs::write(&lecture, "?").unwrap();
     window.click(en::EXERCISE_WINDOW.own_again);
     assert!(window.says("lecture cannot be read: a part of the path is not a directory"));
-    // It is back, and what was typed as well.
+    // It is back, and the typed answer as well.
     fs::remove_file(&lecture).unwrap();
     put();
     window.click(en::EXERCISE_WINDOW.own_again);

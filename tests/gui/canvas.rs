@@ -1,4 +1,4 @@
-//! The three pictures: what the pointer does in them, how they are arranged, and that nothing is drawn twice.
+//! The three pictures: actions of the pointer in them, their arrangement, and that nothing is drawn twice.
 
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
 
@@ -95,7 +95,7 @@ pub(super) fn world(harness: &Harness<Stage>, rect: Rect) -> Request {
     Request::of(figure, View::World, camera, state.model.scene_cache.scene(), labels(Lang::En), size)
 }
 
-/// Where a handle is on the screen.
+/// The place of a handle on the screen.
 pub(super) fn handle(harness: &Harness<Stage>, wanted: Handle) -> Pos2 {
     let rect = place(harness, WORLD);
     let all = handles(&world(harness, rect));
@@ -130,7 +130,7 @@ pub(super) fn drag_primary(harness: &mut Harness<Stage>, from: Pos2, motion: Vec
     drag(harness, from, motion, PointerButton::Primary, Modifiers::NONE);
 }
 
-/// A place in the world where nothing can be taken.
+/// A place in the world that no handle covers.
 pub(super) fn free_place(harness: &Harness<Stage>) -> Pos2 {
     place(harness, WORLD).left_bottom() + vec2(30.0, -30.0)
 }
@@ -173,7 +173,7 @@ fn shift_and_the_right_button_move_the_picture_with_the_pointer() {
 }
 
 #[test]
-fn the_wheel_goes_nearer_to_what_is_under_the_pointer() {
+fn the_wheel_goes_nearer_to_the_point_under_the_pointer() {
     let mut h = stage(|_| ());
     let focal_point = handle(&h, Handle::FocalPoint);
     h.hover_at(focal_point + vec2(0.0, 14.0));
@@ -295,7 +295,7 @@ fn a_double_click_gives_a_picture_all_the_room_and_takes_it_back() {
 }
 
 #[test]
-fn only_what_has_changed_is_drawn_again() {
+fn only_changed_pictures_are_drawn_again() {
     let mut h = stage(|_| ());
     let drawn = h.state().canvas.drawn();
     assert!(drawn.iter().all(|&n| n >= 1));
@@ -327,7 +327,7 @@ fn look(h: &mut Harness<'_, Stage>, from: &str) {
 }
 
 #[test]
-fn a_look_from_a_side_is_taken_and_an_untold_observer_stays_while_the_camera_moves_a_little() {
+fn a_side_view_is_stored_and_an_automatic_observer_ignores_small_moves() {
     let mut h = stage(|_| ());
     look(&mut h, "From the top (+y)");
     assert_eq!(world_observer(&h).elevation, 90.0);
@@ -391,7 +391,7 @@ fn one_finger_turns_a_picture_and_two_move_and_zoom_it() {
     harness.step();
     let turned = world_observer(&harness);
     assert_eq!((turned.azimuth, turned.distance), (80.0, observer().distance));
-    // The second comes while the first has moved: what that did is taken back.
+    // The second comes while the first has moved, so the first one's change is taken back.
     finger(&harness, 1, TouchPhase::Start, center + vec2(60.0, 0.0));
     harness.step();
     finger(&harness, 0, TouchPhase::Move, center + vec2(40.0, 1.0));
@@ -424,8 +424,8 @@ fn one_finger_turns_a_picture_and_two_move_and_zoom_it() {
     harness.step();
 }
 
-/// In the image the hand moves the camera: a drag turns it about PF and keeps it level, with Shift what is at PF stays
-/// below the pointer, and the wheel goes nearer. Esc gives a drag up, and each drag is one step back.
+/// In the image the hand moves the camera: a drag turns it about PF and keeps it level, with Shift the point at PF
+/// stays below the pointer, and the wheel goes nearer. Esc gives a drag up, and each drag is one step back.
 #[test]
 fn the_hand_on_the_image_moves_the_camera() {
     let mut h = stage(|_| ());

@@ -1,4 +1,4 @@
-//! The three pictures: what keys do in them.
+//! The three pictures: actions of keys in them.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -66,7 +66,7 @@ fn keys_all_the_way_round_give_the_camera_back() {
         }
         let after = parameters(&h);
         assert_eq!((after.position, after.focal_point), (before.position, before.focal_point), "{key:?}: 72 times 5°");
-        // What is left of a zero is far below the last bit of anything else.
+        // The rounding error of a zero is far below the last bit of anything else.
         assert!(after.view_up.distance(before.view_up) < 1e-30, "{key:?}: {}", after.view_up);
     }
 }

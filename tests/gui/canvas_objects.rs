@@ -1,4 +1,4 @@
-//! What is selected in the scene, in the pictures: its arrows, its mark, and the click that selects it.
+//! The selection of the scene in the pictures: its arrows, its mark, and the click that selects it.
 
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
 
@@ -32,7 +32,7 @@ fn gizmo(does: Transforming, origin: DVec3, axes: [DVec3; 3]) -> TransformGizmo 
     TransformGizmo { does, origin, axes, hovered: None }
 }
 
-/// A place in the world picture where the part of an axis can be taken.
+/// A place in the world picture that grabs this part of an axis.
 fn on_axis(harness: &Harness<Stage>, gizmo: TransformGizmo, axis: usize) -> Pos2 {
     let rect = place(harness, WORLD);
     let hover = Hover { gizmo: Some(gizmo), ..Hover::default() };
@@ -50,7 +50,7 @@ fn on_axis(harness: &Harness<Stage>, gizmo: TransformGizmo, axis: usize) -> Pos2
 }
 
 #[test]
-fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
+fn an_arrow_moves_the_selection_along_one_parent_axis_in_one_step() {
     let mut h = stage(with_cone);
     h.state_mut().state.model.desk.commit();
     let undoable = h.state().state.model.desk.can_undo(true);
@@ -75,7 +75,7 @@ fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
 }
 
 #[test]
-fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
+fn the_selected_object_is_marked_and_a_lamp_is_moved_too() {
     let mut h = stage(with_cone);
     h.state_mut().state.model.desk.commit();
     let drawn = h.state().canvas.drawn();
@@ -136,7 +136,7 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
 }
 
 #[test]
-fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps() {
+fn a_ring_turns_and_a_bar_scales_the_selection_with_steps_on_a_key() {
     let mut h = stage(with_cone);
     h.state_mut().state.model.desk.commit();
     let cone = |h: &Harness<Stage>| h.state().state.model.desk.shown.figure().scene.objects[1].clone();
@@ -144,7 +144,7 @@ fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps()
     let origin = DVec3::new(1.5, 1.0, 0.0);
     let axes = [DVec3::NEG_Z, DVec3::Y, DVec3::X];
 
-    // The keys of the world choose what is done.
+    // The keys of the world choose the transform.
     h.get_by_label_contains(WORLD).focus();
     h.run();
     h.key_press(Key::R);

@@ -145,7 +145,7 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
 }
 
 #[test]
-fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
+fn pointer_and_vertex_differ_and_a_card_keeps_its_pinned_point() {
     let mut h = stage(|state| {
         state.model.desk.shown.edit(|figure| {
             figure.scene.preset = Preset::Empty;
@@ -198,7 +198,7 @@ fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
     assert!(!says(&h, "Release (Esc)"));
 }
 
-/// A card that nobody has moved is where it is in a window that has always been as large.
+/// A card that was never moved is in the same place as in a window that has always been as large.
 #[test]
 fn a_card_goes_with_the_window_until_it_is_moved() {
     let open = |size: [f32; 2]| {

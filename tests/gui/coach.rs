@@ -1,4 +1,4 @@
-//! The coach in the window: an empty image says why, one click shows what was missing, one step undoes it.
+//! The coach in the window: an empty image says why, one click shows the missing objects, one step undoes it.
 
 use std::time::Duration;
 
@@ -32,7 +32,7 @@ fn settled(window: &mut Window) {
 }
 
 #[test]
-fn an_empty_image_says_why_and_one_click_shows_what_was_missing() {
+fn an_empty_image_says_why_and_one_click_shows_the_missing_objects() {
     for (lang, why) in [(Lang::En, "behind the camera"), (Lang::PtBr, "atrás da câmera")] {
         let button = coach::texts(lang).show_it;
         let mut window = window(lang);
@@ -122,9 +122,9 @@ fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
     assert_eq!(window.state().model.desk.shown.figure().camera.position.y, 9.0);
 }
 
-/// While the coach looks at what has changed, a click on its button is the coach's all the same.
+/// While the coach examines a change, a click on its button is the coach's all the same.
 #[test]
-fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
+fn a_click_is_the_coachs_even_while_it_examines_a_change() {
     let mut window = window(Lang::En);
     let place = |window: &Window, label: &str| window.harness.get_by_label(label).rect();
     let coach = place(&window, "Camera check: good").center();
@@ -147,9 +147,9 @@ fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
     assert!(window.harness.query_by_label("⚠ Camera check: poor").is_some());
 }
 
-/// Once it has said what there is to say, the coach does nothing until the figure changes.
+/// Once it has given its advice, the coach does nothing until the figure changes.
 #[test]
-fn what_has_not_changed_is_not_looked_at_again() {
+fn an_unchanged_figure_is_not_examined_again() {
     let mut window = window(Lang::En);
     let known = window.state().model.coach.advice().expect("it is known").clone();
     for _ in 0..3 {
@@ -158,7 +158,7 @@ fn what_has_not_changed_is_not_looked_at_again() {
     assert_eq!(window.state().model.coach.advice(), Some(&known));
 }
 
-/// The explanation of depths is in the convention that is worked in, and draws what it says of two planes.
+/// The explanation of depths uses the convention of the window, and draws the two planes that it describes.
 #[test]
 fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
     let cases = [
@@ -206,7 +206,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
 }
 
 #[test]
-fn repairs_are_told_in_the_symbols_and_the_numbers_of_the_panel() {
+fn repairs_use_the_symbols_and_the_numbers_of_the_panel() {
     for (lang, comma, point) in [(Lang::PtBr, ',', '.'), (Lang::En, '.', ',')] {
         let mut window = window(lang);
         // Nothing is seen up to here, and F is far too small.

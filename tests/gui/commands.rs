@@ -33,7 +33,7 @@ impl Window {
         self.harness.step();
     }
 
-    /// As on most keyboards, where + is Shift and =, and Shift is let go first.
+    /// As on most keyboards: + is Shift and =, and Shift is let go first.
     pub(crate) fn plus_that_comes_up_as_equals(&mut self) {
         self.key_event(Key::Plus, true, Modifiers::SHIFT);
         self.key_event(Key::Equals, false, Modifiers::NONE);
@@ -61,7 +61,7 @@ fn turns_after_a_plus_are_undone_one_by_one() {
 }
 
 #[test]
-fn what_a_held_key_repeats_is_one_step() {
+fn a_held_key_makes_one_step() {
     let mut window = Window::new(Lang::En);
     window.focus_image();
     let camera = |window: &Window| *window.state().model.desk.shown.camera().parameters();
@@ -226,7 +226,7 @@ fn the_theme_is_that_of_the_pictures_and_of_the_window() {
 }
 
 #[test]
-fn what_is_changed_is_remembered_for_the_next_window() {
+fn changed_preferences_are_remembered_for_the_next_window() {
     let folder = Folder::new("preferences");
     let figure = folder.file("figure.toml");
     std::fs::write(&figure, "[scene]\npreset = \"empty\"\n").expect("written");
@@ -298,7 +298,7 @@ fn help_lists_the_keys() {
 }
 
 #[test]
-fn what_the_program_is_and_what_it_is_made_of_is_told() {
+fn about_names_the_version_the_licence_and_the_libraries() {
     let mut window = Window::new(Lang::PtBr);
     window.harness.key_press_modifiers(Modifiers::SHIFT, Key::F1);
     window.run();
@@ -345,7 +345,7 @@ fn every_key_of_a_frame_acts() {
 }
 
 #[test]
-fn what_follows_the_key_of_a_dialog_is_not_for_the_window() {
+fn keys_after_a_dialogs_shortcut_do_not_reach_the_window() {
     let mut window = Window::new(Lang::En);
     let theme = window.state().model.desk.shown.figure().style.theme;
     in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::E), (Modifiers::COMMAND, Key::T)]);
@@ -466,7 +466,7 @@ fn the_section_is_in_the_menu_of_viewpoints_and_another_side_leaves_it() {
 }
 
 #[test]
-fn what_a_key_has_framed_is_framed_again_in_a_picture_of_another_size_and_what_was_turned_stays() {
+fn a_framed_view_is_framed_again_at_another_size_and_a_turned_one_stays() {
     let mut window = whole(Lang::En);
     let seen = |window: &Window| window.state().model.desk.shown.figure().observers.world.expect("an observer");
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num5);

@@ -58,7 +58,7 @@ fn the_numbers_are_in_the_convention_that_is_chosen() {
 }
 
 #[test]
-fn what_differs_is_said() {
+fn differing_entries_are_marked_and_listed() {
     let mut window = window(Lang::En);
     choose(&mut window, "compared with", "Vulkan");
     assert_eq!(shown(&window).compared, Some(VULKAN));
@@ -88,7 +88,7 @@ fn without_a_far_plane_a_parallel_projection_keeps_it_and_says_so() {
 }
 
 #[test]
-fn rows_and_the_left_hand_are_said() {
+fn row_vectors_and_the_left_hand_have_their_notes() {
     let mut window = window(Lang::En);
     window.click(en::CONVENTIONS.row_vectors);
     assert!(window.says("Every matrix is transposed"));
@@ -115,7 +115,7 @@ fn canonical(ndc: Ndc) -> Window {
     Window::with_state(state, [900.0, 560.0])
 }
 
-/// What is read out of a place is in the convention, and a presentation stays in it.
+/// Numbers read out for a place are in the convention, and a presentation stays in it.
 #[test]
 fn the_probe_and_a_presentation_are_in_the_convention() {
     let mut window = canonical(VULKAN);
@@ -149,8 +149,8 @@ fn the_probe_and_a_presentation_are_in_the_convention() {
     }
 }
 
-/// The exported canonical volume is the one on the screen and says whose NDC it is in; in that of the notes nothing is
-/// said.
+/// The exported canonical volume is the one on the screen and says whose NDC it is in. In the notes' own NDC it says
+/// nothing.
 #[test]
 fn an_exported_canonical_volume_is_in_the_convention_and_names_it() {
     let folder = Folder::new("export-convention");

@@ -40,7 +40,7 @@ fn a_number_of_another_vocabulary_sets_the_camera() {
     window.enter("z_far z_far", "-40");
     assert_eq!(window.state().model.desk.shown.camera().far(), 40.0);
     let before = window.state().model.desk.shown.camera().clone();
-    // What is not a camera stays in its field, with the reason.
+    // Text that is not a camera stays in its field, with the reason.
     window.enter("B B", "0.25");
     assert_eq!(*window.state().model.desk.shown.camera(), before);
     assert!(window.state().explain.refused.is_some());
@@ -67,7 +67,7 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     let camera = window.state().model.desk.shown.camera();
     let corners = camera.volume_corners();
     assert!(corners.iter().all(|p| p.abs().abs_diff_eq(DVec3::ONE, 1e-12)), "[0] exercise 5.3: {corners:?}");
-    // A mirror is that of a left-handed world; a transposed matrix is recognised.
+    // A mirror is that of a left-handed world. A transposed matrix is recognised.
     window.app_mut().state.explain.pasted.text = "-1 0 0 0 0 1 0 0 0 0 -2 -3 0 0 -1 0".to_owned();
     window.run();
     assert!(window.says("de mão esquerda"));

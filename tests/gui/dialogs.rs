@@ -1,4 +1,4 @@
-//! Dialogs: their lists, their focus, and what they ask.
+//! Dialogs: their lists, their focus, and their questions.
 
 use std::fs;
 
@@ -17,7 +17,7 @@ use super::window::Window;
 use crate::words::en;
 
 impl Window {
-    /// Presses and lets go within one frame, as it happens where frames take long.
+    /// Presses and lets go within one frame, as it happens when frames take long.
     pub(crate) fn quick_click(&mut self, at: Pos2) {
         self.harness.hover_at(at);
         self.run();
@@ -111,7 +111,7 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
     window.enter(en::WINDOW.export_width, "3000");
     let wide = preview(&mut window, Some(clear.0));
     assert_eq!(wide.1, [360, 24]);
-    // What cannot be made has no picture, but a reason.
+    // An impossible export has no picture, but a reason.
     window.enter(en::WINDOW.export_height, "16384");
     window.enter(en::WINDOW.export_width, "16384");
     window.wait_for("not enough memory for an image");
@@ -166,7 +166,7 @@ fn after_a_failed_open_the_field_keeps_the_keyboard_and_says_why() {
 }
 
 #[test]
-fn what_is_wrong_elsewhere_is_not_said_in_the_dialog_of_files() {
+fn the_file_dialog_does_not_repeat_errors_from_elsewhere() {
     let mut window = Window::new(Lang::En);
     let error = camera_lab::camera::CameraError::ViewUpZero;
     window.app_mut().state.model.say(camera_lab_desk::message::Message::Camera(error));
@@ -205,7 +205,7 @@ fn enter_exports_also_after_a_checkbox_was_clicked_or_walked_to() {
     assert!(!asked(&window).expect("it goes on to the name").crop);
     window.key(Key::Escape);
 
-    // In a field Enter takes what was typed, and the next one exports.
+    // In a field Enter takes the typed value, and the next one exports.
     window.command_key(Key::E);
     window.quick_choice("size", "typed");
     window.enter(en::WINDOW.export_width, "333");
@@ -234,7 +234,7 @@ fn a_picture_for_paper_is_exported_by_its_width() {
         assert!(path.ends_with(".pdf"), "{path}");
         window.key(Key::Escape);
     }
-    // What cannot be a width is named, and nothing is asked.
+    // An impossible width is named, and the window asks nothing.
     window.command_key(Key::E);
     window.harness.event(Event::Text("0".to_owned()));
     window.run();
@@ -266,7 +266,7 @@ fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
 }
 
 #[test]
-fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
+fn on_paper_lines_have_their_own_width_and_too_little_room_shows() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
     window.quick_choice(en::WINDOW.export_what, en::WINDOW.export_all);
@@ -304,7 +304,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     assert_eq!(family(&window).first.values, "20, 40, 60, 90", "it begins with the view angle");
     window.click_in_dialog(en::WINDOW.azimuth);
     assert_eq!(family(&window).first.values, "0, 90, 180, 270");
-    // In multiples of the screen, the size that is said is that of the whole sheet.
+    // In multiples of the screen, the dialog shows the size of the whole sheet.
     window.quick_choice(en::WINDOW.export_what, "World");
     window.quick_choice("size", "1 ×");
     let [width, height] = window.wait_until(|window| {
@@ -336,7 +336,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     for caption in ["(a) Azimuth 0°", "(b) Azimuth 30°", "(c) Azimuth 60°", "(d) Azimuth 90°"] {
         assert!(svg.contains(caption), "{caption}");
     }
-    // Without a wish for a family there is none; it's remembered.
+    // Without a wish for a family there is none. The wish is remembered.
     window.command_key(Key::E);
     assert!(family(&window).variations().is_none());
     assert_eq!(window.export().what, Views::One(View::World), "as it was left");
@@ -347,7 +347,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
 }
 
 #[test]
-fn what_no_paper_has_is_said_by_its_field_and_its_range() {
+fn impossible_paper_sizes_name_their_field_and_range() {
     let on_paper = || {
         let mut window = Window::new(Lang::En);
         window.command_key(Key::E);
@@ -390,7 +390,7 @@ fn the_export_dialog_has_the_rows_that_its_choices_need() {
 }
 
 #[test]
-fn the_export_dialog_proposes_what_is_shown_and_forgets_a_cancelled_family() {
+fn the_export_dialog_proposes_the_shown_view_and_forgets_families() {
     let mut window = Window::new(Lang::En);
     let proposed = |window: &mut Window| {
         window.command_key(Key::E);
@@ -510,7 +510,7 @@ fn a_code_without_an_address_asks_for_one_and_a_link_does_not() {
 
 /// A click beside a form does nothing, Esc closes it, and it opens again as it was.
 #[test]
-fn forms_keep_what_you_typed_and_chose() {
+fn forms_keep_typed_and_chosen_values() {
     let shown = |window: &Window| window.state().file_flow.dialog.clone();
     let mut window = Window::new(Lang::En);
     let (t, words) = (en::WINDOW, handouts::texts(Lang::En));

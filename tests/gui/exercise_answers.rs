@@ -1,4 +1,4 @@
-//! Answers to exercises and what stays of them: judged again, told with their numbers, beside a file of one's own.
+//! Answers to exercises and their progress: judged again, reported with their numbers, beside a file of one's own.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -17,7 +17,7 @@ use super::files::Folder;
 use super::window::Window;
 use crate::words::en;
 
-/// A window that keeps preferences and progress in a folder; the next one in the same folder is the program started
+/// A window that keeps preferences and progress in a folder. The next one in the same folder is the program started
 /// again.
 fn keeping(folder: &Folder) -> Window {
     // With room for panels on both sides.
@@ -34,7 +34,7 @@ fn keeping(folder: &Folder) -> Window {
 }
 
 #[test]
-fn the_keyboard_comes_to_the_exercises_and_a_panel_that_stood_open_is_not_closed_by_the_first_call() {
+fn the_exercises_key_moves_the_keyboard_there_and_closes_no_open_panel() {
     let folder = Folder::new("called");
     let call = |window: &mut Window| {
         window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
@@ -57,7 +57,7 @@ fn the_keyboard_comes_to_the_exercises_and_a_panel_that_stood_open_is_not_closed
 }
 
 #[test]
-fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
+fn a_reopened_exercise_is_judged_again_without_a_new_try() {
     let folder = Folder::new("judged-again");
     let (_, exercise) = made("basis", 1);
     let name_of = |name: &str| {
@@ -87,7 +87,7 @@ fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
     );
     assert!(exercises.checked["u"].judged.diagnosis.is_some());
     assert_eq!(exercises.progress.tried("basis").unwrap().tries, 2, "no new try");
-    // What was typed since is not judged before it is asked for.
+    // Text typed since is not judged before you ask for it.
     fill(&mut again, &u, 1, &["1".to_owned(), "0".to_owned(), "0".to_owned()]);
     eframe::App::on_exit(again.app_mut(), None);
     let mut last = keeping(&folder);
@@ -96,7 +96,7 @@ fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
 }
 
 #[test]
-fn an_axis_is_told_as_an_axis_and_its_camera_goes_when_it_is_changed() {
+fn a_verdict_on_an_axis_calls_it_an_axis_and_a_change_hides_its_camera() {
     let mut window = working_on("basis", 1, Lang::En);
     let (_, exercise) = made("basis", 1);
     let ask = |name: &str| exercise.asks.iter().find(|ask| ask.name == name).unwrap();
@@ -130,7 +130,7 @@ fn an_axis_is_told_as_an_axis_and_its_camera_goes_when_it_is_changed() {
 }
 
 #[test]
-fn too_few_numbers_are_told_with_both_counts_and_a_whole_answer_is_marked_as_any() {
+fn too_few_numbers_give_both_counts_and_a_whole_answer_is_marked() {
     let mut window = working_on("basis", 1, Lang::En);
     let (_, exercise) = made("basis", 1);
     let ask = exercise.asks.iter().find(|ask| ask.name == "u").unwrap();
@@ -153,7 +153,7 @@ fn too_few_numbers_are_told_with_both_counts_and_a_whole_answer_is_marked_as_any
 }
 
 #[test]
-fn a_lecturers_own_message_is_said_of_the_answer_that_was_expected() {
+fn a_lecturers_own_message_goes_with_the_expected_answer() {
     let lecture = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/exercises");
     let mut window = window(Lang::En);
     window.app_mut().state.learn.exercises.look_into(Some(lecture.into()));
@@ -241,7 +241,7 @@ fn undoing_the_figure_of_an_exercise_leads_back_to_the_file_of_ones_own() {
 }
 
 #[test]
-fn enter_goes_on_to_what_is_empty_and_then_checks() {
+fn enter_goes_on_to_the_next_empty_field_and_then_checks() {
     let mut window = working_on("basis", 1, Lang::En);
     let (_, exercise) = made("basis", 1);
     let ask = exercise.asks.iter().find(|ask| ask.name == "u").unwrap();

@@ -12,7 +12,7 @@ use egui_kittest::kittest::Queryable as _;
 use super::exercises::{made, working_on};
 use super::window::Window;
 
-/// Opens worked steps until there is no button for another; gives their number.
+/// Opens worked steps until there is no button for another. Returns their number.
 fn open_steps(window: &mut Window, name: &str, lang: Lang) -> usize {
     let t = exercise_window::texts(lang);
     for opened in 0.. {

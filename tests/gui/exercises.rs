@@ -191,7 +191,7 @@ fn the_same_with_the_keyboard_alone() {
 }
 
 #[test]
-fn what_cannot_be_read_costs_nothing_and_nothing_typed_is_lost() {
+fn an_unreadable_answer_costs_nothing_and_nothing_typed_is_lost() {
     let mut window = working_on("view-matrix", 2, Lang::En);
     fill(&mut window, "M_v", 4, &["1/sqrt(3".to_owned(), "0,5".to_owned(), "2/3".to_owned()]);
     assert!(window.says("⚠"), "the message is at the field");
@@ -260,9 +260,9 @@ fn the_camera_of_the_window_is_an_answer_and_the_picture_to_match_is_shown() {
     assert!(window.says(&format!("✓ {}", t.right)));
 }
 
-/// B16: a question comes before what answers it.
+/// B16: a question comes before the picture that answers it.
 #[test]
-fn what_is_to_be_predicted_is_shown_only_after_the_answer() {
+fn a_prediction_is_answered_before_its_figure_is_shown() {
     let mut window = working_on("predict-visible", 4, Lang::En);
     let t = exercise_window::texts(Lang::En);
     assert!(window.says(t.figure_later) && window.harness.query_by_label(t.show_figure).is_none());
@@ -349,7 +349,7 @@ fn numbers_left_open_are_chosen_and_answers_may_depend_on_them() {
 
 /// B15: the next exercise, and why it is the next.
 #[test]
-fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
+fn progress_is_counted_shown_exported_as_a_table_and_deleted_on_request() {
     let folder = Folder::new("progress");
     let mut window = working_on("view-matrix", 1, Lang::En);
     window.app_mut().state.file_flow.native = false;
@@ -371,7 +371,7 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     window.click("A hint: M_v");
     let tried = window.state().learn.exercises.progress.tried("view-matrix").unwrap();
     assert_eq!((tried.tries, tried.seed, tried.hints["Mv"]), (1, 1, 1));
-    // The same family with new numbers, because of the mistake; and the reason is said.
+    // The same family with new numbers, because of the mistake. The window shows this reason.
     window.click(en::EXERCISE_WINDOW.practise_next);
     assert_eq!(window.state().learn.exercises.open, Some(Chosen { id: "view-matrix".to_owned(), seed: 2 }));
     assert!(window.says("It practises a mistake that you made once"));
@@ -407,7 +407,7 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
 }
 
 #[test]
-fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told() {
+fn own_exercises_stand_beside_the_others_and_a_faulty_file_is_named() {
     let folder = Folder::new("own-exercises");
     let lecture = folder.file("graphics course");
     std::fs::create_dir_all(&lecture).unwrap();

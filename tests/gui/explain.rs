@@ -1,4 +1,4 @@
-//! The side of explanations: reached and read by keyboard, every entry answered, what changes and what depends marked.
+//! The side of explanations: reached and read by keyboard, every entry answered, changed and dependent entries marked.
 
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::Matrix;
@@ -81,7 +81,7 @@ fn alt_e_shows_explanations_in_the_place_of_the_numbers_and_takes_them_away_agai
 }
 
 #[test]
-fn an_entry_that_has_the_keyboard_says_formula_numbers_and_value_and_lights_up_the_world() {
+fn a_focused_entry_shows_formula_and_value_and_lights_up_the_world() {
     let mut window = explaining(Lang::PtBr);
     with_camera(&mut window, |camera| {
         camera.view_angle = 90.0;
@@ -177,7 +177,7 @@ fn every_entry_in_every_projection_answers_with_its_value() {
 }
 
 #[test]
-fn what_a_change_has_touched_glows_and_then_nothing_is_painted_again() {
+fn changed_entries_glow_and_then_painting_stops() {
     let mut window = explaining(Lang::En);
     let [first, last] = ["M_p, row 1, column 1:", "M_p, row 4, column 4:"].map(|begins| entry(&window, begins));
     window.app_mut().state.model.explained.matrices.entry = [0, 1];
@@ -198,7 +198,7 @@ fn what_a_change_has_touched_glows_and_then_nothing_is_painted_again() {
 }
 
 #[test]
-fn the_entries_that_depend_on_a_parameter_are_marked_while_its_field_has_the_keyboard() {
+fn dependent_entries_are_marked_while_a_parameters_field_has_focus() {
     let mut window = explaining(Lang::En);
     let places = ["row 1, column 1", "row 2, column 2", "row 3, column 3", "row 4, column 3"]
         .map(|place| entry(&window, &format!("M_p, {place}:")));
@@ -236,7 +236,7 @@ fn a_number_in_the_panel_of_numbers_leads_to_its_reason_without_a_mouse_too() {
         assert_eq!(window.state().model.explained.matrices.entry, [2, 2]);
         assert_eq!(focused(&window).as_deref(), Some("M_p, row 3, column 3: −(B + F)/(B − F)"));
     }
-    // Of transposed matrices, the entry that is shown; of u, v, n, the row of M_v.
+    // Of transposed matrices, the entry that is shown. Of u, v, n, the row of M_v.
     let mut window = Window::new(Lang::En);
     window.app_mut().state.model.settings.conventions.row_vectors = true;
     window.run();
@@ -309,7 +309,7 @@ fn the_entries_of_m_m_light_up_translation_rotation_and_scale() {
 }
 
 #[test]
-fn the_fields_of_an_object_mark_what_depends_on_them_and_light_up_the_world() {
+fn fields_of_an_object_mark_dependent_entries_and_light_up_the_world() {
     let mut window = with_object(Lang::PtBr);
     let t = camera_lab_words::window::scenes::texts(Lang::PtBr);
     let places = ["linha 1, coluna 1", "linha 2, coluna 2", "linha 2, coluna 4", "linha 4, coluna 4"]
@@ -340,7 +340,7 @@ fn the_fields_of_an_object_mark_what_depends_on_them_and_light_up_the_world() {
 }
 
 #[test]
-fn the_fields_of_image_and_viewport_mark_what_depends_on_them() {
+fn the_fields_of_image_and_viewport_mark_dependent_entries() {
     let mut window = explaining(Lang::En);
     window.click("M_vp");
     let places = ["row 1, column 1", "row 2, column 2", "row 3, column 3"]
@@ -392,7 +392,7 @@ fn a_matrix_without_an_inverse_says_so_in_the_place_of_numbers_that_are_none() {
 }
 
 #[test]
-fn each_question_opens_where_it_was_left_also_in_the_next_window() {
+fn each_question_reopens_where_you_left_it_also_in_the_next_window() {
     let folder = Folder::new("questions");
     let keeping = || {
         let mut window = Window::new(Lang::En);

@@ -112,7 +112,7 @@ fn the_product_is_compared_and_handedness_announced() {
     window.click("[3] M_P N");
     assert_eq!(window.state().model.explained.steps.way, Decomposition::Normalised);
     assert!(window.says("z_n de 0 a 1"));
-    // With a free window, [1] and [3] have no steps: greyed, and the reason where they were.
+    // With a free window, [1] and [3] have no steps: they are greyed, and the reason is in their place.
     let document = &mut window.app_mut().state.model.desk.shown;
     let free = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
     document.set_parameters(Parameters { window: free, ..*document.draft() });
@@ -153,7 +153,7 @@ fn the_way_is_played_in_the_largest_picture_under_a_title_of_its_own() {
         for other in [View::World, View::Image] {
             assert!(moving.area() > of(other).area(), "{moving:?}, {other:?} {:?}", of(other));
         }
-        // Above it, where its title is.
+        // Above it, in its title.
         let title = |window: &Window| {
             let above = |place: &Rect| place.bottom() <= moving.top() + 1.0 && place.top() > moving.top() - 40.0;
             let within = |place: &Rect| above(place) && moving.x_range().contains(place.left());

@@ -1,4 +1,4 @@
-//! What a figure file explains, in the window: it is taken up, followed, let go of and brought back.
+//! The explanation of a figure file in the window: it is taken up, followed, let go of and brought back.
 
 use std::fs;
 
@@ -16,7 +16,7 @@ use glam::DVec3;
 use super::files::Folder;
 use super::window::Window;
 
-/// A figure with a box of its own, and what it explains.
+/// A figure with a box of its own and its explanation.
 fn window(name: &str, show: &str) -> Window {
     let folder = Folder::new(name);
     let path = folder.file("figure.toml");
@@ -57,7 +57,7 @@ fn undo_of_the_camera_leaves_the_step_of_the_triangle_where_it_is() {
 }
 
 #[test]
-fn esc_lets_go_of_what_a_file_brought_and_a_presentation_keeps_it() {
+fn esc_leaves_a_presentation_before_it_clears_the_marks_of_a_file() {
     let mut window = window("explained-esc", "measure = [\"F\"]\npainted = 0.5");
     let near = vec![Measured::Dimension(Measure::Near)];
     window.app_mut().state.model.settings.presentation = true;
@@ -88,7 +88,7 @@ fn the_convention_of_a_file_is_that_of_the_window_and_is_saved_again() {
 /// An object may be called as the part of another one is: a click knows them apart, and chooses no triangle that its
 /// name cannot tell from another.
 #[test]
-fn an_object_and_a_part_of_another_that_is_called_alike_are_told_apart() {
+fn an_object_and_a_part_of_another_with_the_same_name_differ() {
     let folder = Folder::new("explained-names");
     let corner = |x: f64, y: f64| format!("v {} {y} 0\nv {x} {} 0\nv {x} {y} 1\n", x + 1.0, y + 1.0);
     let mesh = format!("o block\n{}f 1 2 3\no lid\n{}f 4 5 6\n", corner(-1.5, 0.0), corner(-1.5, 1.2));

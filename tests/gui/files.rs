@@ -54,7 +54,7 @@ impl Window {
         self.key(Key::Enter);
     }
 
-    /// Presses the window's own close button; true if the window closes.
+    /// Presses the window's own close button. Returns true if the window closes.
     fn ask_to_close(&mut self) -> bool {
         let events = |window: &mut Self| {
             std::mem::take(&mut window.harness.input_mut().viewports.entry(ViewportId::ROOT).or_default().events)
@@ -431,7 +431,7 @@ fn save_as_into_another_folder_keeps_mesh_materials_texture_and_photograph() {
 }
 
 #[test]
-fn an_image_exported_elsewhere_carries_its_files_and_saving_its_figure_writes_them_too() {
+fn an_image_exported_elsewhere_carries_its_files_and_saves_them_too() {
     let folder = Folder::new("carried");
     for part in ["a", "far"] {
         fs::create_dir(folder.file(part)).expect("a folder");
@@ -482,7 +482,7 @@ fn a_step_added_to_a_lesson_elsewhere_says_which_files_the_lesson_cannot_show() 
         let names: Vec<&str> = lesson.steps[0].figure.files().map(|(name, _)| name).collect();
         assert!(is_said || names.iter().all(|name| name.starts_with("a/")), "{names:?}");
     }
-    // The step is shown again from what the window shows, with the same files.
+    // The step is updated from the window's figure, with the same files.
     let mut window = playing(&folder.file("b/lesson.toml"), 0);
     write(&mut window);
     window.click(en::LESSONS.step_screen);

@@ -1,4 +1,4 @@
-//! What a frame of the window has to paint: in software each pixel that is painted once more takes its time.
+//! The area that a frame of the window has to paint: in software each pixel that is painted once more takes its time.
 
 use camera_lab::appearance::{Samples, Theme};
 use camera_lab::gui::{self, App, LaunchOptions, Start, State};

@@ -51,7 +51,7 @@ fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     for key in [Key::ArrowRight, Key::ArrowDown, Key::ArrowLeft, Key::ArrowUp, Key::ArrowUp] {
         window.key(key);
     }
-    // Right, down, left and up lead back; further up there is nothing.
+    // Right, down, left and up lead back. Further up there is nothing.
     window.key(Key::ArrowRight);
     window.key(Key::Enter);
     let document = &window.state().model.desk.shown;
@@ -161,7 +161,7 @@ fn the_frame_in_a_folder_follows_the_figure_that_is_open() {
 }
 
 #[test]
-fn where_dividing_first_does_no_harm_the_card_that_shows_it_is_offered() {
+fn if_dividing_first_does_no_harm_a_figure_that_shows_it_is_offered() {
     let mut window = Window::new(Lang::En);
     window.explain(Explanation::Clipping);
     assert!(!window.says(en::GALLERY.shows));
@@ -194,7 +194,7 @@ fn changes_are_asked_about_and_esc_leaves_everything_as_it_was() {
 }
 
 #[test]
-fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
+fn recent_files_are_offered_and_missing_ones_are_marked() {
     let folder = Folder::new("recent");
     let [here, gone] = ["here.toml", "gone.toml"].map(|name| folder.file(name));
     let mut window = Window::new(Lang::En);
@@ -219,7 +219,7 @@ fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
 }
 
 #[test]
-fn a_folder_shows_its_figures_in_natural_order_and_what_is_wrong_with_one() {
+fn a_folder_shows_its_figures_in_natural_order_and_names_errors() {
     let folder = Folder::new("folder");
     for (name, text) in [
         ("aula 10.toml", "[scene]\npreset = \"cube\"\n"),
@@ -244,7 +244,7 @@ fn a_folder_shows_its_figures_in_natural_order_and_what_is_wrong_with_one() {
     assert_eq!(window.state().file_flow.dialog, Some(Dialog::Gallery));
     window.wait_for("aula 9: ");
     window.wait_for("near < far");
-    // What it says of itself is there as well, without a picture.
+    // Its own description is there as well, without a picture.
     window.wait_for("A nona aula.");
     window.wait_for("aula 10: ");
     assert!(!window.says("notes: "));

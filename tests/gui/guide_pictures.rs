@@ -1,5 +1,5 @@
 //! The pictures of windows in the guides, a window for each explanation and the whole one:
-//! `cargo test --test gui guide_pictures -- --ignored` draws them anew, as a part of `docs/pictures.sh`.
+//! `cargo test --test gui guide_pictures -- --ignored` draws them again, as a part of `docs/pictures.sh`.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -24,7 +24,7 @@ use glam::{DMat4, DVec3};
 use super::pictures::write;
 use super::window::Window;
 
-/// What is shown beside a tab.
+/// The picture shown beside a tab.
 struct Shown {
     tab: Explanation,
     /// The name of the file.

@@ -20,7 +20,7 @@ use egui_kittest::kittest::Queryable as _;
 
 use super::window::Window;
 
-/// A window with the image of a box before a ball; the ball alone has more than sixty thousand triangles.
+/// A window with the image of a box before a ball. The ball alone has more than sixty thousand triangles.
 fn window(change: impl FnOnce(&mut State)) -> Window {
     let mut figure = camera_lab_desk::document::fresh();
     figure.scene.preset = Preset::Empty;

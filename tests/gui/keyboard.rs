@@ -65,7 +65,7 @@ fn ctrl_tab_goes_from_region_to_region_in_both_directions() {
     assert_eq!(back[0], there[5]);
     back.reverse();
     assert_eq!(back[1..], there[..6]);
-    // From a control, to the next region; and Tab continues into it.
+    // From a control, to the next region. Tab continues into it.
     window.field("θ").focus();
     window.run();
     window.harness.key_press_modifiers(Modifiers::CTRL, Key::Tab);
@@ -78,7 +78,7 @@ fn ctrl_tab_goes_from_region_to_region_in_both_directions() {
 }
 
 #[test]
-fn tab_reaches_every_control_once_each_has_a_name_and_rows_are_gone_through_as_they_are_read() {
+fn tab_reaches_every_named_control_once_in_reading_order() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = whole();
         window.app_mut().state.model.settings.lang = lang;
@@ -116,7 +116,7 @@ fn tab_reaches_every_control_once_each_has_a_name_and_rows_are_gone_through_as_t
             let is_near = (before.center().x - after.center().x).abs() < 260.0;
             assert!(!(is_one_row && is_near) || before.left() < after.right(), "{a} {before}, then {b} {after}");
         }
-        // Menus, parameters, pictures and what is under them, then operations and numbers.
+        // Menus, parameters, pictures and their bars below, then operations and numbers.
         let t = texts(lang);
         let panel = |name: &str| {
             let region = seen.iter().find(|(role, stop, _)| *role == Role::Region && stop == name);
@@ -141,7 +141,7 @@ fn tab_reaches_every_control_once_each_has_a_name_and_rows_are_gone_through_as_t
 }
 
 #[test]
-fn what_tab_reaches_is_scrolled_into_sight_and_marked_also_where_it_is_on() {
+fn tab_scrolls_the_focused_control_into_view_and_marks_it_if_it_is_on() {
     let mut state = Window::new(Lang::En);
     let state = std::mem::replace(&mut state.app_mut().state, fresh());
     let mut window = Window::with_state(state, [1280.0, 420.0]);
@@ -165,7 +165,7 @@ fn what_tab_reaches_is_scrolled_into_sight_and_marked_also_where_it_is_on() {
         let pixel = image.get_pixel((rect.left() - 2.0) as u32, rect.center().y as u32);
         pixel.0
     };
-    // Whoever uses the mouse sees no ring.
+    // With the mouse there is no ring.
     window.harness.get_by_label_contains(en::WINDOW.scene_tab).click();
     window.run();
     let switch = window.harness.get_by_role_and_label(Role::Button, texts(Lang::En).parameters_panel);
@@ -252,7 +252,7 @@ fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
         Some(Probe::Point(p)) => p,
         other => panic!("{other:?}"),
     };
-    // From (3, 4, 5) the corner (1, 1, 1) is nearest to the middle; six others can be seen around it.
+    // From (3, 4, 5) the corner (1, 1, 1) is nearest to the middle. Six others can be seen around it.
     assert_eq!(vertex(&h), DVec3::ONE);
     let place = |h: &Harness<Stage>| {
         let clip = h.state().state.model.desk.shown.camera().clip_point(vertex(h));

@@ -1,4 +1,4 @@
-//! The mode *Labels*: labels are dragged, renamed, hidden, brought back, and notes added; all of it is undone.
+//! The mode *Labels*: labels are dragged, renamed, hidden, brought back, and notes added. All of it is undone.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -34,7 +34,7 @@ fn labels(window: &Window) -> &Labels {
     &window.state().model.desk.shown.figure().labels
 }
 
-/// A label of the world, and where its middle is on the screen.
+/// A label of the world, and the place of its middle on the screen.
 fn shown(window: &mut Window, name: &str) -> Option<(LabelPlace, Pos2)> {
     let canvas = &window.app_mut().canvas;
     let label = canvas.labels(View::World).iter().find(|label| label.name == name)?.clone();

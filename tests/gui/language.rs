@@ -17,7 +17,7 @@ fn words(window: &Window) -> BTreeSet<String> {
     nodes.flat_map(|node| [node.accesskit_node().label(), node.accesskit_node().value()]).flatten().collect()
 }
 
-/// What is the same in both languages: symbols, numbers, names.
+/// Texts that are the same in both languages: symbols, numbers, names.
 fn is_international(word: &str, both: &BTreeSet<&str>) -> bool {
     both.contains(word.trim().trim_start_matches("✔ "))
         || !word.chars().any(char::is_alphabetic)
@@ -61,7 +61,7 @@ fn no_text_is_missing_and_few_are_the_same() {
 }
 
 #[test]
-fn what_was_said_last_is_said_in_the_language_of_now() {
+fn the_last_message_changes_its_language_too() {
     let mut window = Window::new(Lang::En);
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::C);
     window.run();
@@ -71,7 +71,7 @@ fn what_was_said_last_is_said_in_the_language_of_now() {
     assert!(window.says(pt.copied) && !window.says(en.copied));
     window.command_key(Key::L);
 
-    // Errors carry what went wrong, not the words for it.
+    // Errors carry their cause, not the words for it.
     let path = std::path::PathBuf::from("/no such figure.toml");
     let error = camera_lab_files::open_figure(&path).expect_err("it is not there");
     window.app_mut().state.model.say(Message::File(path, error));

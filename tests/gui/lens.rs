@@ -60,7 +60,7 @@ fn a_shift_frees_the_window() {
 }
 
 #[test]
-fn the_view_at_a_distance_is_said() {
+fn the_panel_shows_the_size_of_the_view_at_a_distance() {
     let t = texts(Lang::En);
     let mut window = window(Lang::En);
     window.enter(t.vertical, "90");

@@ -59,7 +59,7 @@ fn of(lesson: &Lesson) -> Vec<String> {
     lesson.steps.iter().map(|step| step.title.en.clone()).collect()
 }
 
-/// Types into a field of the editor, in the place of what is there.
+/// Types into a field of the editor, in place of its text.
 fn type_into(window: &mut Window, field: &str, text: &str) {
     let is_named = |role| window.harness.query_by_role_and_label(role, field);
     is_named(Role::TextInput).or_else(|| is_named(Role::MultilineTextInput)).unwrap().focus();
@@ -71,7 +71,7 @@ fn type_into(window: &mut Window, field: &str, text: &str) {
 }
 
 #[test]
-fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
+fn typed_text_is_shown_at_once_and_in_the_file_soon() {
     let folder = Folder::new("write");
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);
@@ -97,7 +97,7 @@ fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
     assert_eq!(window.state().learn.lesson.as_ref().unwrap().step, 1);
     window.click(en::WINDOW.redo);
     assert_eq!(read_lesson(&path).unwrap().0.steps[1].text.en, "The axis n is {basis.n:2}.");
-    // A change after the way back leaves nothing to redo; Ctrl+S writes it without a pause.
+    // A change after the way back leaves nothing to redo. Ctrl+S writes it without a pause.
     window.click(en::WINDOW.undo);
     type_into(&mut window, t.step_text_field, "Another text.");
     window.command_key(Key::S);
@@ -137,7 +137,7 @@ fn title_sentence_and_minutes_of_the_lesson_are_written_and_taken_back() {
     assert_eq!(steps(&text), steps(shipped.text), "to the letter");
     // The preview has the title with the minutes, as lists have it.
     window.harness.get_by_label("Axes of a camera (9 min)");
-    // What are no minutes is told, stays in its field, and holds the lesson.
+    // A text that is no number of minutes gets a message, stays in its field, and holds the lesson.
     type_into(&mut window, t.lesson_minutes_field, "long");
     pause(&mut window);
     assert!(window.says("minutes") && window.says(t.not_written));
@@ -181,7 +181,7 @@ fn the_fields_of_a_lesson_are_named_in_portuguese_and_write_portuguese() {
 }
 
 #[test]
-fn a_text_that_is_wrong_is_told_and_not_lost() {
+fn a_wrong_text_gets_a_message_and_is_not_lost() {
     let folder = Folder::new("write-wrong");
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);
@@ -229,7 +229,7 @@ fn steps_change_their_places_and_keep_their_pictures() {
     assert_eq!(titles(&path).len(), before.len() - 1);
     window.click(en::WINDOW.undo);
     assert_eq!(titles(&path), before);
-    // A step with what is on the screen.
+    // A step with the figure on the screen.
     let mut camera = *window.state().model.desk.shown.camera().parameters();
     camera.near *= 1.5;
     window.app_mut().state.model.desk.shown.set_parameters(camera);
@@ -247,7 +247,7 @@ fn steps_change_their_places_and_keep_their_pictures() {
 }
 
 #[test]
-fn what_another_program_writes_is_not_replaced() {
+fn changes_by_another_program_are_not_overwritten() {
     let folder = Folder::new("write-both");
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);
@@ -282,7 +282,7 @@ fn text_whose_file_another_program_has_changed_goes_into_a_copy() {
 }
 
 #[test]
-fn a_step_that_is_added_to_the_lesson_that_is_written_is_no_change_of_another_program() {
+fn a_step_added_to_the_edited_lesson_is_no_change_by_another_program() {
     let folder = Folder::new("write-add");
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);
@@ -419,9 +419,9 @@ fn a_question_with_choices_is_made_in_the_window() {
     assert!(task_in(&path).is_none());
 }
 
-/// Without a lesson, writing begins with what is on the screen.
+/// Without a lesson, writing begins with the figure on the screen.
 #[test]
-fn writing_begins_a_lesson_with_what_is_on_the_screen() {
+fn writing_begins_a_lesson_with_the_figure_on_the_screen() {
     let folder = Folder::new("begin-writing");
     let path = folder.file("first.toml");
     let mut window = Window::new(Lang::En);

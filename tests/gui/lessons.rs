@@ -69,7 +69,7 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
     let Some(Task::Question(entry)) = &lesson.steps[0].task else { panic!("a question") };
     let exercise = entry.exercise(0, &Default::default());
     let ask = &exercise.asks[0];
-    // Page down says what is to be done first.
+    // Page down names the task to be done first.
     window.harness.key_press(Key::PageDown);
     window.run();
     assert_eq!(step(&window), 0);
@@ -94,7 +94,7 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
 }
 
 #[test]
-fn a_wrong_answer_is_told_why_in_both_languages() {
+fn a_wrong_answer_gets_a_reason_in_both_languages() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = playing(0, 0, lang);
         let Some(Task::Question(entry)) = &shipped()[0].lesson.steps[0].task else { panic!("a question") };
@@ -160,7 +160,7 @@ fn a_presentation_has_keys_for_all_of_it() {
     }
     for (digits, place) in [(&[Key::Num4][..], 3), (&[Key::Num1, Key::Num0], 9), (&[Key::Num1, Key::Num1], 10)] {
         digits.iter().for_each(|digit| window.harness.key_press(*digit));
-        // All in one frame, as where drawing is slow.
+        // All in one frame, as when drawing is slow.
         window.harness.step();
         window.harness.key_press(Key::Enter);
         window.run();
@@ -196,14 +196,14 @@ fn notes_come_into_a_presentation_only_if_they_are_asked_for() {
 }
 
 #[test]
-fn whoever_leaves_has_the_figure_and_the_panels_back() {
+fn leaving_a_lesson_brings_the_figure_and_the_panels_back() {
     let mut window = Window::new(Lang::En);
     window.run();
     let panels = window.state().model.settings.panels.wanted;
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::L);
     window.run();
     let title = told(Lang::En, &shipped()[1].lesson.title);
-    // By its name: where the pointer is, another line may be by now.
+    // By its name, because another line may be under the pointer by now.
     window.harness.get_by_label_contains(title).click_accesskit();
     window.run();
     assert_eq!(window.state().learn.lesson.as_ref().unwrap().lesson.id, shipped()[1].lesson.id);
@@ -234,7 +234,7 @@ fn the_first_start_offers_the_first_lesson_and_no_later_one_does() {
     }
 }
 
-/// The next start continues where the last one ended, and closing the line is for this time only.
+/// The next start continues at the step where the last one ended, and closing the line is for this time only.
 #[test]
 fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
     let folder = Folder::new("go-on");
@@ -259,7 +259,7 @@ fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
     assert!(!window.state().learn.goes_on);
 }
 
-/// Passing over everything finishes nothing; a shown way is no answer.
+/// Passing over everything finishes nothing. A shown way is no answer.
 #[test]
 fn a_lesson_is_finished_when_its_questions_are() {
     let lesson = &shipped()[0].lesson;
@@ -351,7 +351,7 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
         if let Some(choices) =
             Some(&ask.kind).filter(|_| !window.state().learn.exercises.checked.contains_key(&ask.name))
         {
-            // The picture has moved: what is seen is asked next.
+            // The picture has moved. The next question is about the visible result.
             let Kind::Choice(choices) = choices else { panic!("a place is judged at once") };
             let right = exercise_sheet::answer(Lang::En, ask);
             let wrong = choices.iter().map(|choice| choice_of(Lang::En, ask, choice)).find(|name| *name != right);
@@ -363,7 +363,7 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
     }
 }
 
-/// The bar stays where it is from step to step, and when a wrong answer gets its verdict.
+/// The bar stays in its place from step to step, and when a wrong answer gets its verdict.
 #[test]
 fn the_panel_of_a_lesson_keeps_its_height() {
     let mut moved = Vec::new();
@@ -511,7 +511,7 @@ fn links_of_a_text_open_pages_and_no_files() {
 }
 
 #[test]
-fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
+fn work_in_a_step_waits_there_and_mere_trials_do_not() {
     let mut window = playing(0, 0, Lang::En);
     let camera = *window.state().model.desk.shown.camera().parameters();
     let tried = camera_lab::camera::Parameters { far: 77.0, ..camera };
@@ -554,7 +554,7 @@ fn hands_of_a_class_are_counted_and_shown_with_the_answer() {
     let step_before = 0;
     let mut window = playing(0, step_before, Lang::En);
     window.key(Key::F11);
-    // Without the question, letters do what they do elsewhere.
+    // Without the question, letters are the usual shortcuts.
     window.key(Key::C);
     assert!(!window.state().learn.lesson.as_ref().unwrap().shows_text);
     window.key(Key::C);

@@ -352,7 +352,7 @@ fn all(folder: &Folder) -> Vec<(String, Vec<Deed>)> {
     rows
 }
 
-/// What takes changes back because the user asks for just that; it can be undone or redone.
+/// Commands that take changes back because the user asks for just that. They can be undone or redone.
 fn is_asked_for(name: &str) -> bool {
     let t = words::texts(Lang::En);
     let buttons = [window::texts(Lang::En).undo, t.again].map(|label| format!("Button {label}"));

@@ -1,4 +1,4 @@
-//! The tab of notes: searched, read, left by links; F1 on a thing opens the note on it.
+//! The tab of notes: searched, read, left by links. F1 on a thing opens the note on it.
 
 use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;
@@ -192,7 +192,7 @@ fn f1_opens_the_note_on_an_operation_a_stage_and_the_entry_of_a_matrix() {
 }
 
 #[test]
-fn f1_opens_the_note_on_what_is_in_the_other_tabs_of_explanations() {
+fn f1_opens_notes_on_the_other_tabs_of_explanations() {
     let mut window = Window::new(Lang::En);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
@@ -242,7 +242,7 @@ fn f1_opens_the_note_on_the_fields_of_an_object_and_of_a_point() {
 }
 
 #[test]
-fn the_guide_is_still_there_where_nothing_is_pointed_at() {
+fn f1_opens_the_guide_if_nothing_is_under_the_pointer() {
     let mut window = Window::new(Lang::En);
     window.key(Key::F1);
     assert!(is_guide_open(&window));

@@ -36,7 +36,7 @@ fn measured(window: &mut Window) {
 }
 
 #[test]
-fn a_study_is_measured_and_its_worst_cameras_open_once_changes_have_been_asked_about() {
+fn a_study_is_measured_and_its_worst_cameras_open_after_a_question() {
     let (folder, mut window) = (Folder::new("study"), window(Lang::En));
     window.app_mut().keep_session(&folder.0, false);
     window.click("Clipping through w = 0");
@@ -44,7 +44,7 @@ fn a_study_is_measured_and_its_worst_cameras_open_once_changes_have_been_asked_a
     measured(&mut window);
     assert!(window.harness.query_by_label_contains("f64 before the divide").is_some());
 
-    // Something is changed; the figure of a row is opened over it.
+    // Something is changed. The figure of a row is opened over it.
     window
         .app_mut()
         .state
@@ -88,7 +88,7 @@ fn the_panel_speaks_portuguese_and_goes_away_again() {
 }
 
 #[test]
-fn what_is_cancelled_is_not_shown_as_measured() {
+fn a_cancelled_study_is_not_shown_as_measured() {
     let mut window = window_with(Lang::En, Effort { seed: 1, seconds: 600.0, thorough: true });
     window.click(en::WINDOW.cancel);
     window.app_mut().state.numerics.take(Duration::from_secs(120));

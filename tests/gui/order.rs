@@ -1,4 +1,4 @@
-//! The order of transforms: the list, its two readings, another order beside it, and what becomes of the figure.
+//! The order of transforms: the list, its two readings, another order beside it, and its effect on the figure.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -51,7 +51,7 @@ fn alt(window: &mut Window, key: Key) {
     window.run();
 }
 
-/// Where the list, and where the other order, puts the object.
+/// The places of the object by the list and by the other order.
 fn placed(window: &Window) -> Vec<DMat4> {
     window.state().model.frame.placed.iter().map(|placed| placed.world_from_frame).collect()
 }

@@ -1,4 +1,4 @@
-//! Files that another program, or another window, changes in between; files that may not be written.
+//! Files that another program, or another window, changes in between. Files that may not be written.
 
 use std::fs;
 use std::path::Path;
@@ -33,7 +33,7 @@ impl Window {
 }
 
 #[test]
-fn what_another_program_wrote_is_replaced_only_after_a_question() {
+fn a_file_changed_by_another_program_is_replaced_only_after_asking() {
     let folder = Folder::new("changed-file");
     let path = folder.file("a.toml");
     fs::write(&path, MINE).expect("written");
@@ -50,7 +50,7 @@ fn what_another_program_wrote_is_replaced_only_after_a_question() {
     assert_eq!(read(&path), THEIRS);
     assert!(window.state().model.desk.shown.is_changed());
 
-    // What was not there when one was asked is asked about again.
+    // A file that was not there at the question is asked about again.
     window.command_key(Key::S);
     fs::write(&path, "# Again.\n").expect("written");
     window.click(en::WINDOW.replace);
@@ -102,7 +102,7 @@ fn a_window_that_gets_the_focus_offers_to_reload_once() {
         window.click(keep);
         assert!(!window.says(says));
         assert_eq!(window.state().model.desk.shown.figure().camera.far, 50.0);
-        // The same content is not told twice; another one is.
+        // The same content gives no second message. Another one does.
         window.harness.event(Event::WindowFocused(true));
         for _ in 0..10 {
             std::thread::sleep(Duration::from_millis(10));
@@ -114,7 +114,7 @@ fn a_window_that_gets_the_focus_offers_to_reload_once() {
         window.click(reload);
         assert_eq!(window.state().model.desk.shown.figure().camera.far, 62.0);
         assert!(!window.says(says) && !window.state().model.desk.shown.is_changed());
-        // As it was read: nothing is said.
+        // As it was read, so there is no message.
         let touched = fs::File::options().write(true).open(&path).expect("there");
         touched.set_modified(std::time::SystemTime::UNIX_EPOCH).expect("possible");
         window.harness.event(Event::WindowFocused(true));

@@ -1,7 +1,7 @@
 //! A small renderer for egui's triangles, so that whole windows can be compared without a graphics card.
 //!
-//! Integer edge functions at pixel centres with 8 sub-pixel bits and the top-left rule, as a graphics card does it;
-//! colours are blended in gamma space, as egui's own renderers do.
+//! Integer edge functions at pixel centres with 8 sub-pixel bits and the top-left rule, as a graphics card does it.
+//! Colours are blended in gamma space, as egui's own renderers do.
 
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -17,7 +17,7 @@ pub(crate) struct Painter {
     textures: Textures,
 }
 
-/// What egui has handed over, for tests to look at.
+/// The shapes and textures from egui, for tests to look at.
 #[derive(Clone, Default)]
 pub(crate) struct Textures(Rc<RefCell<HashMap<TextureId, Texture>>>);
 
@@ -117,7 +117,7 @@ fn fixed(p: Pos2, scale: f32) -> [i64; 2] {
     ]
 }
 
-/// Twice the area of a, b, p; positive where p is on the inner side of a → b.
+/// Twice the area of a, b, p, positive if p is on the inner side of a → b.
 fn edge(a: [i64; 2], b: [i64; 2], p: [i64; 2]) -> i64 {
     (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 }

@@ -111,7 +111,7 @@ fn a_faulty_text_stays_with_its_reason_until_it_is_mended() {
 }
 
 #[test]
-fn what_an_expression_is_worth_stands_on_one_line() {
+fn the_value_of_an_expression_fits_on_one_line() {
     let mut window = Window::new(Lang::En);
     // As it is typed: the hint is a short one before, and a sentence later.
     window.type_into("θ", "1/2");
@@ -157,7 +157,7 @@ fn a_drag_changes_a_number_in_one_undo_step() {
 }
 
 #[test]
-fn collinear_up_is_said_and_mended_by_one_click() {
+fn one_click_repairs_a_collinear_up_vector() {
     let mut window = Window::new(Lang::En);
     let before = window.state().model.desk.shown.figure().clone();
     window.enter("VUP x", "3");
@@ -191,7 +191,7 @@ fn near_beyond_far_offers_to_swap_them() {
 }
 
 #[test]
-fn a_problem_in_a_closed_section_is_said_at_the_top() {
+fn a_problem_in_a_closed_section_shows_at_the_top() {
     let mut window = Window::new(Lang::En);
     window.enter("F", "20");
     window.click(en::WINDOW.projection);
@@ -207,7 +207,7 @@ fn projection_is_switched_both_ways_without_drift() {
     window.click(en::WINDOW.parallel);
     let camera = window.state().model.desk.shown.camera().clone();
     assert_eq!(camera.projection(), Projection::Parallel);
-    // What spans 2 D tan(θ/2) at PF spans H.
+    // An object that spans 2 D tan(θ/2) at PF spans H.
     let height = 2.0 * camera.distance() * (before.view_angle.to_radians() / 2.0).tan();
     assert!((camera.window().height() - height).abs() < 1e-12);
     window.field("H");
@@ -289,7 +289,7 @@ fn a_right_click_on_a_point_copies_and_follows_it() {
 }
 
 #[test]
-fn the_aspect_follows_the_image_until_it_is_told_not_to() {
+fn the_aspect_follows_the_image_until_the_user_unlinks_it() {
     let mut window = Window::new(Lang::En);
     window.enter("m", "1536");
     assert_eq!(window.state().model.desk.shown.draft().aspect, 2.0);
@@ -305,7 +305,7 @@ fn an_operation_turns_the_camera_by_its_step() {
     let mut window = Window::new(Lang::En);
     window.enter("Azimuth: step", "90");
     window.click("Azimuth +");
-    // C = (3, 4, 5) looks at the origin; u = (5, 0, −3)/√34. Its distance stays.
+    // C = (3, 4, 5) looks at the origin, so u = (5, 0, −3)/√34. Its distance stays.
     let camera = window.state().model.desk.shown.camera().clone();
     assert!((camera.distance() - 50.0_f64.sqrt()).abs() < 1e-12);
     assert!((camera.position().dot(glam::DVec3::new(3.0, 4.0, 5.0))).abs() < 1e-12, "{}", camera.position());
@@ -457,7 +457,7 @@ fn a_number_of_pixels_that_cannot_be_stays_as_it_was_typed_with_its_reason() {
     }
     window.enter("m", "16384");
     assert_eq!(window.state().model.desk.shown.figure().image.width, 16_384);
-    // Steps end where the numbers do.
+    // Steps end at the bounds of the numbers.
     window.field("m").increment_accesskit();
     window.run();
     assert_eq!(window.state().model.desk.shown.figure().image.width, 16_384);
@@ -468,7 +468,7 @@ fn a_number_of_pixels_that_cannot_be_stays_as_it_was_typed_with_its_reason() {
 }
 
 #[test]
-fn digits_and_steps_that_cannot_be_are_said() {
+fn impossible_digits_and_steps_show_their_range() {
     let mut window = Window::new(Lang::PtBr);
     window.enter(pt::WINDOW.digits, "18");
     assert!(window.says("tem de estar entre 2 e 17"));
@@ -493,7 +493,7 @@ fn the_numbers_are_those_of_the_camera_and_not_of_its_rounded_parameters() {
 }
 
 #[test]
-fn a_size_of_an_export_that_cannot_be_is_said_and_nothing_is_written() {
+fn an_impossible_export_size_is_refused_and_nothing_is_written() {
     use eframe::egui::accesskit::Role;
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
@@ -512,7 +512,7 @@ fn a_size_of_an_export_that_cannot_be_is_said_and_nothing_is_written() {
 }
 
 #[test]
-fn a_multiple_of_the_screen_that_is_too_large_is_said_and_not_made_smaller() {
+fn too_large_a_multiple_of_the_screen_is_refused_not_reduced() {
     use camera_lab::gui::app::file_flow::questions::Dialog;
     use camera_lab::gui::export::Export;
     let mut window = Window::new(Lang::En);
@@ -561,7 +561,7 @@ fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
     assert_eq!(camera(&window), start, "it begins");
     window.run();
     assert_eq!(camera(&window), step(&start));
-    // What is pressed on the way finds the camera where it was going: two steps, two changes.
+    // A key pressed on the way finds the camera at its goal: two steps, two changes.
     click(&mut window);
     click(&mut window);
     window.run();
@@ -571,7 +571,7 @@ fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
         assert_eq!(camera(&window), expected);
     }
     assert!(!window.state().model.desk.can_undo(true));
-    // Where motion is to be reduced it is there at once.
+    // If motion is to be reduced, the camera is there at once.
     window.app_mut().state.model.settings.reduce_motion = true;
     click(&mut window);
     assert_eq!(camera(&window), step(&start));
@@ -625,7 +625,7 @@ fn a_slider_of_angles_stops_at_five_degrees_and_is_free_with_ctrl() {
 }
 
 #[test]
-fn the_scale_stays_while_a_slider_is_held_and_release_fits_once_and_is_said_and_undone() {
+fn a_held_slider_keeps_the_scale_and_release_fits_once_and_says_so() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = Window::new(lang);
         window.app_mut().state.model.layout.maximized = Some(View::World);

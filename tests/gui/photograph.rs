@@ -37,7 +37,7 @@ fn figure(window: &Window) -> &Figure {
     window.state().model.desk.shown.figure()
 }
 
-/// Where the window shows a point of the world, if the right camera took the image.
+/// The place of a point of the world in the window, if the right camera took the image.
 fn on_screen(window: &Window, p: [f64; 3]) -> Pos2 {
     let right = read::parse(RIGHT).expect("a figure");
     let camera = Camera::new(&right.camera).expect("a camera");

@@ -14,7 +14,7 @@ use image::RgbaImage;
 use super::window::Window;
 use crate::words::{en, pt};
 
-/// The last bits of letters depend on the processor; nothing that one could see is less than this.
+/// The last bits of letters depend on the processor. Nothing that one could see is less than this.
 const TOLERANCE: u8 = 2;
 
 fn assert_window(name: &str, window: &mut Window) {

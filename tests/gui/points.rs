@@ -1,4 +1,4 @@
-//! A point that is followed: typed in each of its spaces, dragged, picked, undone, explained where it has no image.
+//! A point that is followed: typed in each of its spaces, dragged, picked, undone, explained if it has no image.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -88,7 +88,7 @@ fn a_probe_pinned_on_a_point_goes_with_it_and_another_one_stays() {
 }
 
 #[test]
-fn what_no_point_has_is_refused_with_what_is_allowed() {
+fn impossible_coordinates_are_refused_with_the_allowed_range() {
     for (lang, field, message) in
         [(Lang::En, "NDC z_n", "no point of the world is that far"), (Lang::PtBr, "NDC z_n", "nenhum ponto do mundo")]
     {
@@ -123,7 +123,7 @@ fn ndc_beyond_infinity_are_those_of_a_point_behind_the_eye() {
         // z_n = (B + F)/(B − F) − 2BF/((B − F) distance), with F = 2 and B = 12.
         assert!((1.4 - 4.8 / -camera.view_point(p).z - 5.0).abs() < 1e-12 && camera.view_point(p).z > 0.0);
         assert!(window.says(behind));
-        // It has no pixel, and that is said.
+        // It has no pixel, and the panel says so.
         window.enter("pixel i", "100");
         assert!(window.says(no_pixel));
         assert_eq!(position(&window), p);
@@ -215,7 +215,7 @@ fn points_are_added_renamed_and_deleted_and_each_is_a_step() {
     }
 }
 
-/// Where a point is in the image of the stage.
+/// The place of a point in the image of the stage.
 fn in_image(h: &Harness<'_, Stage>, p: DVec3) -> Pos2 {
     let rect = place(h, IMAGE);
     let camera = h.state().state.model.desk.shown.camera();

@@ -46,7 +46,7 @@ fn a_guess_is_kept_the_picture_moves_and_the_reason_comes_last() {
         window.harness.get_by_label_contains(t.guess).click();
         window.run();
         arrive(&mut window);
-        // Neither verdict nor reason; the picture is the one of the next step.
+        // Neither verdict nor reason. The picture is the one of the next step.
         let state = window.state();
         assert!(state.learn.exercises.checked.is_empty(), "no verdict before the picture");
         assert_eq!(state.model.desk.shown.figure().camera, lesson.steps[3].figure.camera);
@@ -57,7 +57,7 @@ fn a_guess_is_kept_the_picture_moves_and_the_reason_comes_last() {
         assert!(window.says(t.what_seen));
         let own = ask.own_mistakes.iter().find(|own| told(lang, &own.message).len() > 20).unwrap();
         assert!(!window.says(told(lang, &own.message).trim()));
-        // What is seen is answered next. The guess stays.
+        // The next answer is about the visible result. The guess stays.
         window.harness.get_by_label(&choice("nothing")).click();
         window.run();
         window.harness.get_by_label_contains(t.check).click();
@@ -194,7 +194,7 @@ fn an_operation_asks_first_where_a_point_goes_and_compares() {
     let placing = placing_of(&mut window.app_mut().state).unwrap();
     let ([x, y], right) = (placing.guess.unwrap(), placing.right.unwrap());
     assert!((x - 300.0).abs() <= 2.0 && (y - 200.0).abs() <= 2.0, "{x} {y}");
-    // The highest vertex before; its place afterwards by the construction of the notes.
+    // The highest vertex before. Its place afterwards by the construction of the notes.
     let sides = [1024.0, 768.0];
     let figure = window.state().model.desk.shown.figure().clone();
     let built = camera_lab::views::scene_of(&figure, &mut camera_lab::scene::no_files, &Default::default()).unwrap();
@@ -202,7 +202,7 @@ fn an_operation_asks_first_where_a_point_goes_and_compares() {
         projected(p, [camera.position, camera.focal_point, camera.view_up], camera.view_angle, sides)
     };
     let moved = built.vertices().map(|v| [at(&camera, v.p_world), at(&after, v.p_world)]);
-    // Away from the border, where its name has room.
+    // Away from the border, so that its name has room.
     let is_in = |p: &[f64; 2]| (153.6..=870.4).contains(&p[0]) && (115.2..=652.8).contains(&p[1]);
     let highest = moved.filter(|[a, b]| is_in(a) && is_in(b)).min_by(|a, b| a[0][1].total_cmp(&b[0][1])).unwrap();
     assert!((highest[1][0] - right[0]).abs() < 0.5 && (highest[1][1] - right[1]).abs() < 0.5, "{highest:?} {right:?}");

@@ -1,5 +1,4 @@
-//! A lecture: one figure after the other without losing what was changed, and what is drawn and shown over the
-//! pictures.
+//! A lecture: one figure after the other without losing changes, and the ink and the overlays over the pictures.
 
 use std::fs;
 
@@ -55,14 +54,14 @@ fn a_presentation_says_title_and_caption_and_shows_each_figure_as_it_wants() {
     window.key(Key::PageUp);
     window.command_key(Key::L);
     assert!(window.says("Uma casa") && window.says("À beira-mar."));
-    // What a figure wants to be explained stays open where a presentation begins with it.
+    // An explanation that a figure asks for stays open if a presentation begins with it.
     let mut window = Window::opened(&folder.file("2.toml"));
     window.key(Key::F11);
     assert!(window.state().model.settings.presentation && window.state().model.shows_explanation(Explanation::Depth));
 }
 
 #[test]
-fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes_back() {
+fn figures_follow_each_other_and_changes_are_there_on_return() {
     let folder = Folder::new("lecture");
     let mut window = lecture(&folder);
     window.key(Key::F11);
@@ -79,7 +78,7 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
     assert!(window.state().model.desk.shown.is_changed() && window.state().model.desk.can_undo(true));
     window.key(Key::PageUp);
     assert_eq!((name(&window).as_str(), window.state().model.desk.held().len()), ("aula 1.toml", 1));
-    // What was gone through is among the files that were used last.
+    // Shown figures are among the recent files.
     let recent = ["aula 1.toml", "aula 2.toml", "aula 10.toml"].map(|name| folder.file(name));
     assert_eq!(window.state().recent.files[..3], recent);
     // Opened by its name, it is the one that was left.
@@ -87,7 +86,7 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
     window.choose(&folder.file("aula 2.toml"));
     assert_eq!(window.state().model.desk.shown.figure().camera.far, 77.0);
     window.key(Key::PageUp);
-    // Whoever closes the window is asked about it.
+    // Closing the window asks about it.
     window.command_key(Key::Q);
     assert!(window.says(en::WINDOW.unsaved_title) && window.says("aula 2.toml"));
     window.click(en::WINDOW.save);
@@ -96,7 +95,7 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
 }
 
 #[test]
-fn what_lies_between_two_figures_is_passed_over_and_told() {
+fn unreadable_files_between_two_figures_are_skipped_with_a_message() {
     let folder = Folder::new("foreign-figures");
     for name in ["1.toml", "9.toml"] {
         fs::write(folder.file(name), "[scene]\npreset = \"empty\"\n").expect("written");
@@ -125,7 +124,7 @@ fn what_lies_between_two_figures_is_passed_over_and_told() {
 }
 
 #[test]
-fn whoever_does_not_close_after_all_has_lost_no_figure() {
+fn cancelling_the_close_loses_no_figure() {
     let folder = Folder::new("given-up");
     for name in ["1.toml", "2.toml", "3.toml"] {
         fs::write(folder.file(name), "[camera]\nfar = 50.0\n").expect("written");
@@ -136,7 +135,7 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
         window.command_key(Key::PageDown);
     }
     assert_eq!((name(&window).as_str(), window.state().model.desk.held().len()), ("3.toml", 2));
-    // Esc and the button alike; also in the question that comes in between.
+    // Esc and the button alike, also in the question that comes in between.
     for cancel in [true, false] {
         window.command_key(Key::Q);
         for _ in 0..2 {
@@ -164,7 +163,7 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
 }
 
 #[test]
-fn outside_of_a_presentation_the_keys_are_those_of_the_menu_and_a_new_figure_is_not_lost() {
+fn outside_a_presentation_menu_keys_apply_and_a_new_figure_is_not_lost() {
     let mut window = Window::new(Lang::En);
     window.enter("B", "33");
     window.command_key(Key::PageDown);
@@ -182,7 +181,7 @@ fn outside_of_a_presentation_the_keys_are_those_of_the_menu_and_a_new_figure_is_
 }
 
 #[test]
-fn escape_clears_what_lies_over_the_pictures_and_then_leaves() {
+fn escape_clears_the_overlays_and_then_leaves() {
     let mut window = Window::new(Lang::En);
     window.key(Key::F11);
     window.key(Key::P);
@@ -240,7 +239,7 @@ impl Window {
         self.written().iter().any(|(written, _)| written.contains(text))
     }
 
-    /// B of the camera, in a presentation, where the panel is hidden.
+    /// B of the camera, in a presentation, in which the panel is hidden.
     fn enter_far(&mut self, text: &str) {
         self.key(Key::F8);
         self.enter("B", text);
@@ -278,7 +277,7 @@ fn beside_a_panel_one_picture_is_large_and_it_is_the_one_that_is_explained() {
 }
 
 #[test]
-fn ink_stays_with_its_figure_and_escape_is_said_to_clear_it() {
+fn ink_stays_with_its_figure_and_the_window_says_escape_clears_it() {
     let folder = Folder::new("ink");
     for name in ["1.toml", "2.toml"] {
         fs::write(folder.file(name), "[scene]\npreset = \"empty\"\n").expect("written");

@@ -1,4 +1,4 @@
-//! The inner work of the pipeline: what it shows in the pictures, and the numbers under the pointer.
+//! The inner work of the pipeline: its marks in the pictures, and the numbers under the pointer.
 
 use camera_lab::appearance::{Rgba, Samples, Visibility};
 use camera_lab::camera::Parameters;
@@ -131,7 +131,7 @@ fn a_vertex_says_its_outcode_and_its_distances() {
         (Lang::En, "Clipping vertices", "Outcode 000010 near", "(0, 0, 5)", "w + z, w − z −2.286, 10.29"),
         (Lang::PtBr, "Vértices do recorte", "Outcode 000010 frente", "(0; 0; 5)", "w + z, w − z −2,286; 10,29"),
     ] {
-        // F = 4.5: the corner (1, 1, 1), 4 units before C, is cut off; seen from the front it lies to the right of the
+        // F = 4.5: the corner (1, 1, 1), 4 units before C, is cut off. Seen from the front it lies to the right of the
         // middle.
         let mut window = window_with(lang, View::World, [1280.0, 720.0], |figure| figure.camera.near = 4.5);
         window.explain(Explanation::Clipping);

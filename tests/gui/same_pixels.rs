@@ -23,7 +23,7 @@ use crate::words::en;
 const FIGURE: &str = "[camera]\nposition = [2.5, 3, 5]\nnear = 2\nfar = 12\n[scene]\npreset = \"house\"\n\
                       [style]\ntheme = \"light\"\nantialias = 4\n";
 
-/// From where the pictures are seen, in a figure that says it.
+/// The observers of the pictures, in a figure that gives them.
 const OBSERVERS: &str = "[observers.world]\ntarget = [1, 1, 1]\ndistance = 20\nazimuth = 70\nelevation = 25\n\
                          [observers.canonical]\ntarget = [0, 0, 0]\ndistance = 7\nazimuth = 20\nelevation = 35\n";
 
@@ -33,7 +33,7 @@ fn pixels(png: &[u8]) -> ([usize; 2], Vec<u8>) {
     ([image.width() as usize, image.height() as usize], image.into_raw())
 }
 
-/// What is done in the window before its picture is taken.
+/// Changes made in the window before its picture is taken.
 type Act = fn(&mut Window);
 
 /// A window with a figure file of its own.
@@ -93,14 +93,14 @@ impl Opened {
         rendered
     }
 
-    /// The screen, the export, `render` of what the window shows now, and its link, followed.
+    /// The screen, the export, `render` of the window's figure, and its link, followed.
     fn assert_same(&mut self, view: View) {
         let what = format!("{} at scale {}", view.name(), self.scale);
         self.window.harness.remove_cursor();
         self.window.run();
         let (size, on_screen) = self.on_screen(view);
         let exported = pixels(&self.exported(view));
-        // What the window shows now is in no file but the picture that it exports, and in its link.
+        // The figure of the window is in no file but the picture that it exports, and in its link.
         let text = text_as_shown(&self.window.state().model);
         fs::write(&self.path, &text).expect("written");
         let (rendered_size, rendered) = pixels(&self.rendered(&self.path.display().to_string(), view));
@@ -119,7 +119,7 @@ fn assert_same_after(view: View, figure: &str, act: Act) {
     opened.assert_same(view);
 }
 
-/// What nobody has touched: also the files are the same, with the figures in them.
+/// An untouched figure: also the files are the same, with the figures in them.
 fn assert_same_untouched(view: View, scale: f32, figure: &str) {
     let mut opened = Opened::new(view, scale, figure);
     let exported = opened.exported(view);
@@ -130,7 +130,7 @@ fn assert_same_untouched(view: View, scale: f32, figure: &str) {
     assert!(opened.on_screen(view) == pixels(&rendered), "{} at scale {scale}", view.name());
 }
 
-/// At scale 1 the figure as it is; at scale 2, with `more` in it: each is a window, and windows take their time.
+/// At scale 1 the figure as it is, at scale 2 with `more` in it. Each is a window, and windows take their time.
 fn assert_same_at_both_scales(view: View, more: &str) {
     assert_same_untouched(view, 1.0, FIGURE);
     assert_same_untouched(view, 2.0, &format!("{FIGURE}{more}"));
@@ -165,7 +165,7 @@ fn they_agree_on_a_comparison() {
     ] {
         assert_same_untouched(view, scale, &format!("{FIGURE}{compare}"));
     }
-    // Also of what no file says: the convention of the window, and what is shown.
+    // Also with options that no file holds: the convention of the window, and its explanation.
     let convention: Act = |window| {
         let state = &mut window.app_mut().state;
         state.model.settings.conventions.ndc =
@@ -178,8 +178,8 @@ fn they_agree_on_a_comparison() {
     assert_same_after(View::World, &format!("{FIGURE}{angle}"), turn);
 }
 
-/// Turns the camera in a hundred steps, which leave their rests in it: the observers stay where they were as long as
-/// all is in sight.
+/// Turns the camera in a hundred steps, which leave their rounding in it. The observers stay as long as all is in
+/// sight.
 fn turn(window: &mut Window) {
     for k in 0..100 {
         let turn = Angle::from_degrees(if k < 50 { 1.3 } else { -0.7 });
@@ -253,8 +253,7 @@ fn they_agree_on_every_kind_of_explanation() {
 proptest! {
     #![proptest_config(ProptestConfig { max_shrink_iters: 40, ..ProptestConfig::with_cases(12) })]
 
-    /// Whatever is shown, from wherever it is seen, after whatever operations: the camera of the window keeps what its
-    /// parameters cannot hold.
+    /// Any figure, any observer, any operations: the camera of the window keeps digits that its parameters cannot hold.
     #[test]
     fn they_agree_on_every_shot(show in shows(), observers in observers(), operations in operations()) {
         let mut opened = Opened::new(View::World, 1.0, &FIGURE.replace("antialias = 4", "antialias = 1"));

@@ -40,7 +40,7 @@ impl Window {
         self.run();
     }
 
-    /// Chooses from the menu of what can be added.
+    /// Chooses from the menu of objects that can be added.
     fn add(&mut self, button: &str, what: &str) {
         self.harness.get_by_role_and_label(Role::Button, button).click();
         self.run();
@@ -101,7 +101,7 @@ fn of_thousands_of_objects_the_tree_has_the_rows_around_those_that_are_seen() {
 }
 
 #[test]
-fn what_is_added_by_the_keyboard_closes_the_menu() {
+fn adding_an_object_by_keyboard_closes_the_menu() {
     let mut window = Window::new(Lang::En);
     window.key(Key::F6);
     for (what, names) in [("sphere", &["sphere"][..]), ("group", &["sphere", "group"])] {
@@ -184,7 +184,7 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
 }
 
 #[test]
-fn a_light_gets_shadows_their_numbers_and_what_they_show() {
+fn a_light_gets_shadows_with_their_numbers_and_options() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "directional light");
     let shadows = |window: &Window| window.state().model.desk.shown.figure().scene.lights[0].shadows;
@@ -207,7 +207,7 @@ fn a_light_gets_shadows_their_numbers_and_what_they_show() {
 }
 
 #[test]
-fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
+fn an_impossible_value_shows_an_error_and_keeps_the_last_good_scene() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "cone");
     let before = window.objects()[0].clone();
@@ -251,7 +251,7 @@ fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
 }
 
 #[test]
-fn what_is_typed_for_one_object_does_not_go_to_the_next_that_is_selected() {
+fn a_value_typed_for_one_object_does_not_go_to_the_next_selected() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "box");
     window.add("Add", "cone");
@@ -291,7 +291,7 @@ fn a_row_is_dragged_onto_its_new_parent_in_one_step() {
 }
 
 #[test]
-fn deleting_asks_what_becomes_of_the_children() {
+fn deleting_asks_about_the_children() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "group");
     window.add("Add", "box");
@@ -322,7 +322,7 @@ fn deleting_asks_what_becomes_of_the_children() {
     assert!(window.names().is_empty());
     window.command_key(Key::Z);
     assert_eq!(window.names(), ["group", "box"]);
-    // Where nothing hangs on it there is nothing to ask.
+    // If it has no children, there is nothing to ask.
     window.select(en::SCENES.shape_box);
     window.key(Key::Delete);
     window.run();
@@ -365,7 +365,7 @@ fn several_are_selected_copied_with_their_children_deleted_and_brought_back() {
 }
 
 #[test]
-fn what_cannot_be_selected_together_says_why() {
+fn objects_that_cannot_be_selected_together_say_why() {
     let mut window = Window::scene(Lang::En);
     let beside = |window: &mut Window, row: &str| {
         window.harness.get_by_role_and_label(Role::TreeItem, row).click_modifiers(Modifiers::COMMAND);
@@ -384,7 +384,7 @@ fn what_cannot_be_selected_together_says_why() {
     window.app_mut().state.model.message = None;
     beside(&mut window, "box");
     assert!(window.says(why));
-    // What is selected alone has nothing to complain about.
+    // A single selected object has nothing to complain about.
     window.app_mut().state.model.message = None;
     window.select("roof");
     assert!(!window.says(why));
@@ -456,7 +456,7 @@ fn switching_the_language_leaves_no_word_of_the_other_in_the_tab() {
 }
 
 #[test]
-fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says_why() {
+fn a_mesh_file_is_added_by_relative_path_and_a_broken_one_says_why() {
     let folder = Folder::new("meshes");
     let path = folder.file("figure.toml");
     std::fs::write(&path, "[scene]\npreset = \"empty\"\n").expect("written");
@@ -488,12 +488,12 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
     window.run();
     assert_eq!(window.state().model.scene_cache.scene().objects.len(), 2);
     assert!(!window.says("line 2"));
-    // What was left out of a mesh is said at its object.
+    // A message at the object names the parts of a mesh that were left out.
     assert!(window.says("line 5: a face with 2 corners; it is left out"));
 }
 
 #[test]
-fn what_a_mesh_names_outside_of_its_folder_is_read_once_the_user_lets_it() {
+fn files_outside_a_meshs_folder_are_read_once_the_user_allows_it() {
     let folder = Folder::new("reach");
     std::fs::create_dir_all(folder.file("inner")).expect("a folder");
     let path = folder.file("figure.toml");

@@ -1,4 +1,4 @@
-//! Windows that did not close: what they left is back, or offered in a list until the user has decided.
+//! Windows that did not close: their figures are back, or offered in a list until the user has decided.
 
 use std::fs;
 use std::path::Path;
@@ -25,7 +25,7 @@ use crate::words::en;
 
 const MINE: &str = "# Mine.\n[camera]\nfar = 50.0\n\n[scene]\npreset = \"empty\"\n";
 
-/// What the sessions in this folder hold.
+/// The figures of the sessions in this folder.
 pub(crate) fn written(folder: &Path) -> String {
     let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     files
@@ -35,7 +35,7 @@ pub(crate) fn written(folder: &Path) -> String {
 }
 
 impl Window {
-    /// The window ends as in a crash, once what was typed has been written down.
+    /// The window ends as in a crash, once the typed values have been stored.
     pub(super) fn crash(mut self, folder: &Path, typed: &str) {
         self.wait(|_| written(folder).contains(typed));
     }
@@ -80,7 +80,7 @@ fn world(folder: &Folder, restore: bool) -> Window {
 }
 
 #[test]
-fn what_was_explained_is_back_although_the_figure_has_not_changed() {
+fn explanations_come_back_although_the_figure_has_not_changed() {
     let folder = Folder::new("explained");
     let mut window = world(&folder, false);
     let near = vec![Measured::Dimension(Measure::Near)];
@@ -95,10 +95,10 @@ fn what_was_explained_is_back_although_the_figure_has_not_changed() {
 }
 
 #[test]
-fn a_session_is_seen_from_where_it_was_also_where_nobody_had_turned_the_picture() {
+fn a_session_keeps_its_view_even_if_the_picture_was_never_turned() {
     let folder = Folder::new("seen");
     let mut window = world(&folder, false);
-    // The picture stays where it is while the camera turns.
+    // The picture stays the same while the camera turns.
     let operation = Operation::Azimuth(Angle::from_degrees(6.0));
     window.app_mut().state.model.desk.shown.operate(operation, Convention::default()).expect("a camera");
     window.run();
@@ -142,7 +142,7 @@ fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
 }
 
 #[test]
-fn a_start_with_a_file_lists_what_was_left() {
+fn a_start_with_a_file_lists_left_sessions() {
     for lang in [Lang::En, Lang::PtBr] {
         let folder = Folder::new("listed");
         leave(&folder, "a.toml", "75.0");
@@ -157,7 +157,7 @@ fn a_start_with_a_file_lists_what_was_left() {
         };
         let ago = if lang == Lang::En { "just now" } else { "agora mesmo" };
         assert!(window.says(title) && window.says("a.toml") && window.says(ago));
-        // It stays, whatever else is done, and what is unsaved here is asked about.
+        // It stays, whatever else happens, and the window asks about unsaved changes here.
         window.enter("B", "51");
         assert!(window.says(title));
         let press = |window: &mut Window, label: &str| {
@@ -196,7 +196,7 @@ fn a_figure_that_did_not_survive_is_offered_and_not_restored() {
 }
 
 #[test]
-fn what_cannot_be_understood_is_said_with_its_place() {
+fn an_unreadable_session_is_named_with_its_path() {
     let folder = Folder::new("not-understood");
     fs::create_dir_all(folder.file("sessions")).expect("made");
     fs::write(folder.file("sessions/session-0.json"), "?").expect("written");
@@ -204,7 +204,7 @@ fn what_cannot_be_understood_is_said_with_its_place() {
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.run();
     assert!(window.says("não podem ser lidas") && window.says("session-0.damaged"));
-    // What is said at the bottom does not take its place: only the user does.
+    // A message at the bottom does not take its place: only the user does.
     window.key(Key::F11);
     window.key(Key::F11);
     assert!(window.says("session-0.damaged"));
@@ -213,7 +213,7 @@ fn what_cannot_be_understood_is_said_with_its_place() {
     assert!(!window.says("session-0.damaged"));
 }
 
-/// Where the button of each line stands, over the frames in which the pointer moves.
+/// The place of the button of each line, over the frames in which the pointer moves.
 fn closing_buttons(window: &mut Window) -> Vec<Rect> {
     for step in 0..10_u8 {
         window.harness.hover_at(pos2(300.0 + f32::from(step), 500.0));
@@ -256,7 +256,7 @@ fn lines_at_the_top_take_a_row_each_however_often_they_are_shown() {
 }
 
 #[test]
-fn a_home_that_cannot_be_used_is_said_in_one_line_and_once() {
+fn an_unusable_home_gives_one_message_of_one_line() {
     let folder = Folder::new("no-home");
     let home = folder.file("home");
     fs::write(&home, "a file").expect("written");
@@ -268,7 +268,7 @@ fn a_home_that_cannot_be_used_is_said_in_one_line_and_once() {
     let told = |window: &Window| window.harness.query_all_by_label_contains("is not a directory").count();
     assert!(window.says("not saved, and changes in this window would be lost in a crash"));
     assert_eq!((told(&window), closing_buttons(&mut window).len()), (1, 1));
-    // What is written is written beside the window.
+    // Writing runs beside the window.
     let change = |window: &mut Window, x: &str| {
         window.command_key(Key::T);
         window.enter("C x", x);
@@ -285,8 +285,8 @@ fn a_home_that_cannot_be_used_is_said_in_one_line_and_once() {
 }
 
 #[test]
-fn the_first_window_shows_on_a_small_screen_what_is_said_at_its_bottom() {
-    // What title bars and task bars take of a screen of 720 lines, generously.
+fn a_small_screen_shows_the_message_at_the_bottom_of_the_window() {
+    // The height that title bars and task bars take of a screen of 720 lines, generously.
     const BARS: f32 = 76.0;
     let mut state = State::new(Start::default()).expect("a camera");
     state.model.layout.maximized = Some(View::Image);

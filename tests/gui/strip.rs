@@ -38,7 +38,7 @@ fn the_divide_is_left_out_in_parallel_projection_and_says_why() {
     window.key(Key::F5);
     window.click(en::WINDOW.parallel);
     assert!(window.stage("divide by w: skipped – parallel projection: w is 1 everywhere"));
-    // Pointed at, it is said in full at the head of the strip.
+    // Under the pointer, its text is in full at the head of the strip.
     let divide = |label: &str| label.starts_with("divide by w");
     let at = window.harness.get_by(|node| node.label().is_some_and(|l| divide(&l)) && node.role() == Role::ListItem);
     at.hover();
@@ -132,7 +132,7 @@ fn with_house(lang: Lang) -> Window {
 }
 
 #[test]
-fn a_click_on_a_stage_shows_it_in_its_picture_and_a_second_click_or_escape_takes_it_away() {
+fn a_click_on_a_stage_shows_it_and_a_second_click_or_escape_hides_it() {
     let mut window = with_house(Lang::En);
     let figure = window.state().model.desk.shown.figure().clone();
     let drawn = |window: &mut Window| window.app_mut().canvas.drawn()[View::Image.index()];
@@ -176,7 +176,7 @@ fn the_strip_says_the_same_numbers_while_it_shows_a_stage() {
         click(&mut window, name);
         let now: Vec<_> = counts(&window);
         for (now, before) in now.iter().zip(&before) {
-            // Marks that show it are lines; nothing else is counted.
+            // Marks that show it are lines. Nothing else is counted.
             assert!(now == before || before.starts_with("lines"), "{name}: {now} for {before}");
         }
         click(&mut window, name);
@@ -205,7 +205,7 @@ fn stages_are_reached_shown_and_explained_by_keyboard() {
 }
 
 #[test]
-fn in_the_world_a_stage_of_the_image_shows_what_belongs_to_it() {
+fn in_the_world_a_stage_of_the_image_shows_its_objects() {
     let mut window = with_house(Lang::En);
     window.app_mut().state.model.layout.maximized = Some(View::World);
     window.app_mut().state.model.layout.strip = true;

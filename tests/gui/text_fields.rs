@@ -1,4 +1,4 @@
-//! Fields for text: what is pasted into them is cut before it is laid out, and that is said.
+//! Fields for text: a long pasted text is cut before it is laid out, and a message says so.
 
 use std::fs;
 use std::path::Path;
@@ -13,13 +13,13 @@ use egui_kittest::kittest::Queryable;
 
 use super::window::Window;
 
-/// What somebody may have on the clipboard.
+/// A text that somebody may have on the clipboard.
 fn a_whole_file() -> String {
     "Praça, 1.5 θ\n".repeat(10 << 17)
 }
 
 impl Window {
-    /// Pastes a whole file into a text field, and what is in it then.
+    /// Pastes a whole file into a text field, and returns the field's text then.
     fn paste_a_file_into(&mut self, name: &str) -> String {
         self.harness.get_by_role_and_label(Role::TextInput, name).focus();
         self.run();
@@ -49,7 +49,7 @@ fn a_long_text_in_a_number_field_is_cut_and_refused() {
 }
 
 #[test]
-fn a_long_text_in_any_other_field_is_cut_and_that_is_said() {
+fn a_long_text_in_any_other_field_is_cut_with_a_message() {
     let mut window = Window::new(Lang::En);
     window.app_mut().state.file_flow.dialog = Some(Dialog::Path(Purpose::Open, String::new()));
     window.run();
@@ -66,7 +66,7 @@ fn a_long_text_in_any_other_field_is_cut_and_that_is_said() {
     window.run();
     assert_eq!(window.paste_a_file_into("Search the reference pages").chars().count(), MAX_TYPED_NAME);
     assert!(window.says(&format!("at most {MAX_TYPED_NAME} characters")));
-    // What is typed has no more room either, and what is deleted makes some.
+    // A typed letter has no more room either, and deleting one makes some.
     window.key(Key::Backspace);
     assert!(!window.says("at most"));
     window.harness.event(Event::Text("ab".to_owned()));
@@ -97,7 +97,7 @@ fn no_field_takes_more_than_it_should() {
         {
             assert!(!text.contains(raw), "{path} has a field of egui's own: {raw}");
         }
-        // A slider has a field beside it unless it is told not to.
+        // A slider has a field beside it unless its options say otherwise.
         for (at, _) in text.match_indices("Slider::new(") {
             let built = text[at..].split(';').next().unwrap_or_default();
             assert!(built.contains("show_value(false)"), "{path} has a field of egui's own: {built}");

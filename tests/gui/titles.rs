@@ -86,8 +86,8 @@ fn a_figure_made_of_a_card_has_words_of_its_own() {
     assert!(text.starts_with("title   = \"Azimuth\"") && !text.contains("caption"), "{text}");
 }
 
-/// From the gallery into the folder of the last file: open, save, title, Enter. The values of a family: a click, and
-/// Enter.
+/// From the gallery into the folder of the last file: open, save, title, Enter. For the values of a family: a click,
+/// and Enter.
 #[test]
 fn a_figure_and_a_family_need_four_actions() {
     let t = en::WINDOW;

@@ -1,4 +1,4 @@
-//! What is said when the pointer rests on something.
+//! Tooltips: the hints when the pointer rests on something.
 
 use camera_lab_words::Lang;
 use camera_lab_words::window::texts;
@@ -8,7 +8,7 @@ use super::window::Window;
 use crate::words::en;
 
 impl Window {
-    /// Where this is written.
+    /// The place of this text.
     fn place_of(&self, text: &str) -> Option<Rect> {
         self.written().into_iter().find(|(written, _)| written.contains(text)).map(|(_, place)| place)
     }
@@ -37,7 +37,7 @@ fn a_field_that_is_greyed_says_why() {
 }
 
 #[test]
-fn what_is_said_of_a_field_stands_beside_its_panel() {
+fn the_hint_of_a_field_stands_beside_its_panel() {
     let mut window = Window::new(Lang::En);
     let hint = texts(Lang::En).number_field_hint;
     let panel = window.field("C z").rect();
@@ -50,7 +50,7 @@ fn what_is_said_of_a_field_stands_beside_its_panel() {
 }
 
 #[test]
-fn what_a_typed_expression_is_worth_stands_beside_the_panel_and_covers_no_row() {
+fn the_value_of_an_expression_stands_beside_the_panel_over_no_row() {
     let mut window = Window::new(Lang::En);
     let panel = window.field("C z").rect();
     let row = window.field("F").rect();

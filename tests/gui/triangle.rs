@@ -29,7 +29,7 @@ fn staged(lang: Lang) -> Window {
     window
 }
 
-/// What the pictures show of the triangle that is followed.
+/// The marks of the followed triangle in the pictures.
 fn overlay(window: &Window) -> TriangleOverlay {
     let state = window.state();
     let size = Size { width: 640, height: 480, scale: 1.0 };
@@ -62,7 +62,7 @@ fn a_triangle_is_clicked_in_the_image_and_each_step_shows_in_it() {
         click_image(&mut window);
         let shown = overlay(&window);
         assert_eq!(shown.step, TriangleStep::View);
-        // What is there can be seen: its middle faces the eye.
+        // The triangle can be seen: its middle faces the eye.
         let camera = window.state().model.desk.shown.camera().clone();
         let [a, b, c] = shown.corners;
         assert!((b - a).cross(c - a).dot(camera.position() - a) > 0.0);

@@ -127,7 +127,7 @@ impl Window {
                         app.state.file_flow.saving.patience = Duration::from_secs(60);
                         app
                     });
-                    // The harness leaves a margin; the window has none.
+                    // The harness leaves a margin. The window has none.
                     let whole = UiBuilder::new().max_rect(ctx.content_rect());
                     app.show(&mut Ui::new(ctx, eframe::egui::Id::unique("whole window"), whole));
                 },
@@ -223,13 +223,13 @@ impl Window {
         self.harness.get_by_role_and_label(Role::SpinButton, name)
     }
 
-    /// Unfolds what is behind *More*, by its name.
+    /// Unfolds the part behind *More*, by its name.
     pub(crate) fn more(&mut self, what: &str) {
         let more = camera_lab_words::window::texts(self.state().model.settings.lang).more;
         self.click(&format!("{more}: {what}"));
     }
 
-    /// Clicks a field and types into it; does not leave it.
+    /// Clicks a field and types into it, without leaving it.
     pub(crate) fn type_into(&mut self, field: &str, text: &str) {
         self.field(field).click();
         self.run();
@@ -255,13 +255,13 @@ impl Window {
         self.run();
     }
 
-    /// Clicks what has this label.
+    /// Clicks the control with this label.
     pub(crate) fn click(&mut self, label: &str) {
         self.harness.get_by_label(label).click();
         self.run();
     }
 
-    /// Clicks what has this label in a dialog, which comes after the panels that may have it too.
+    /// Clicks the control with this label in a dialog. It comes after the panels, which may have the label too.
     pub(crate) fn click_in_dialog(&mut self, label: &str) {
         self.harness.query_all_by_label(label).last().expect("the label").click();
         self.run();
@@ -302,8 +302,8 @@ impl Window {
         self.run();
     }
 
-    /// Every text as it was drawn in the last frame, one for each of its lines (what was cut off is not there), and
-    /// where.
+    /// Every text as it was drawn in the last frame, one for each of its lines (without the parts that were cut off),
+    /// and its place.
     pub(crate) fn written(&self) -> Vec<(String, Rect)> {
         fn collect(shape: &Shape, clip: Rect, written: &mut Vec<(String, Rect)>) {
             match shape {

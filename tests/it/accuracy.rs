@@ -1,4 +1,4 @@
-//! Error against run time: what the studies find is what the theory says, and the command prints it.
+//! Error against run time: the studies' results agree with the theory, and the command prints them.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -14,7 +14,7 @@ use camera_lab_words::why::numerics as words;
 
 use crate::common::program::Bench;
 
-/// What a study finds with few inputs: the same for all tests.
+/// The results of a study with few inputs: the same for all tests.
 fn findings(study: Study) -> &'static Findings {
     static FOUND: [OnceLock<Findings>; Study::ALL.len()] = [const { OnceLock::new() }; Study::ALL.len()];
     let place = Study::ALL.iter().position(|s| *s == study).unwrap();
@@ -86,7 +86,7 @@ fn the_figure_of_the_worst_input_is_a_camera() {
     }
 }
 
-/// A pixel turns a line by its inverse length, and the place where two lines meet moves by that over their angle.
+/// A pixel turns a line by its inverse length, and the intersection of two lines moves by that over their angle.
 #[test]
 fn the_camera_of_a_photograph_is_off_by_the_inverse_of_the_angle_between_the_lines() {
     let findings = findings(Study::Photograph);
@@ -102,7 +102,7 @@ fn the_camera_of_a_photograph_is_off_by_the_inverse_of_the_angle_between_the_lin
     assert!(error("view angle", 0.5, "mean of intersections") > 1.5 * error("view angle", 0.5, OWN));
 }
 
-/// A coordinate of 10^k in single precision is off by about 10^k · 2^-25; relative to the eye it is not.
+/// A coordinate of 10^k in single precision is off by about 10^k · 2^-25. Relative to the eye it is not.
 #[test]
 fn single_precision_loses_a_world_far_away_and_keeps_it_relative_to_the_eye() {
     let findings = findings(Study::VertexTransform);
@@ -120,7 +120,7 @@ fn single_precision_loses_a_world_far_away_and_keeps_it_relative_to_the_eye() {
 /// The axis u is off by the unit roundoff over the angle: Higham, *Accuracy and Stability of Numerical Algorithms*,
 /// 2002, §1.7 on cancellation.
 #[test]
-fn a_naive_basis_is_off_by_the_unit_roundoff_over_the_angle_and_the_programs_is_not() {
+fn a_naive_basis_is_off_by_roundoff_over_the_angle_and_the_own_is_not() {
     let findings = findings(Study::Basis);
     for angle in [1e-2, 1e-6, 1e-11, 1e-13] {
         let error = |method| row(findings, "size 1", angle, method).error;
@@ -142,10 +142,10 @@ fn matrices_drift_with_the_number_of_operations_and_the_program_does_not() {
     }
 }
 
-/// The measured interval is the predicted one: exactly where the arithmetic is that of the format, within a few
-/// roundings elsewhere.
+/// The measured interval is the predicted one: exactly if the arithmetic is that of the format, within a few roundings
+/// otherwise.
 #[test]
-fn depths_are_told_apart_as_the_theory_predicts() {
+fn depths_are_resolved_as_the_theory_predicts() {
     let findings = findings(Study::DepthBuffer);
     for r in findings.rows.iter().filter(|r| !r.case.contains("z-fighting")) {
         let share = r.error / r.predicted.unwrap();
@@ -160,7 +160,7 @@ fn depths_are_told_apart_as_the_theory_predicts() {
 }
 
 #[test]
-fn dividing_first_is_wrong_only_where_a_segment_passes_the_eye() {
+fn dividing_first_is_wrong_only_if_a_segment_passes_the_eye() {
     let findings = findings(Study::Clipping);
     for behind in [1e-9, 1.0, 1e6] {
         for method in ["f64 after the divide", "f64 before the divide", OWN] {
@@ -173,7 +173,7 @@ fn dividing_first_is_wrong_only_where_a_segment_passes_the_eye() {
 }
 
 #[test]
-fn a_study_that_is_cancelled_ends_with_what_it_has() {
+fn a_cancelled_study_ends_with_its_partial_results() {
     let progress = Progress::default();
     progress.cancel();
     let effort = Effort { seed: 1, seconds: 60.0, thorough: true };
@@ -183,7 +183,7 @@ fn a_study_that_is_cancelled_ends_with_what_it_has() {
 }
 
 #[test]
-fn the_command_prints_json_csv_and_tables_and_says_what_it_does_not_understand() {
+fn the_command_prints_json_csv_and_tables_and_refuses_unknown_words() {
     let bench = Bench::new("accuracy");
     let run = |more: &[&str]| {
         bench.run(&[&["accuracy", "--study", "clipping", "--seconds", "0", "--seed", "3"][..], more].concat())
@@ -232,10 +232,10 @@ fn plots_are_files_of_their_kind() {
     assert!(bench.read("plot-art.pdf").starts_with(b"%PDF"));
 }
 
-/// Of three bars each over the next no order of whole faces is right; a depth buffer and a BSP, which cuts them, are
-/// right but for edges.
+/// Of three bars each over the next no order of whole faces is right. A depth buffer and a BSP, which cuts them, are
+/// right except at edges.
 #[test]
-fn the_painter_fails_where_surfaces_interlock_and_depth_buffers_where_steps_are_coarse() {
+fn interlocking_surfaces_break_the_painter_and_coarse_steps_the_buffer() {
     let findings = findings(Study::Visibility);
     let error = |case, ratio, method| row(findings, case, ratio, method).error;
     for case in ["cyclic overlap", "interpenetrating"] {
@@ -248,7 +248,7 @@ fn the_painter_fails_where_surfaces_interlock_and_depth_buffers_where_steps_are_
     assert!(error("close surfaces", 1e5, OWN) < 0.01);
 }
 
-/// With the segments all come nearer, Phong's shading fastest; flat faces have no highlight however small they are.
+/// With more segments all come nearer, Phong's shading fastest. Flat faces have no highlight however small they are.
 #[test]
 fn finer_meshes_come_nearer_to_the_true_surface() {
     let findings = findings(Study::Shading);
@@ -276,7 +276,7 @@ fn more_samples_come_nearer_to_the_area() {
 
 /// One sample of a texel of many flickers, the levels of detail keep the mean, and a magnified chequer has sharp edges.
 #[test]
-fn levels_of_detail_keep_the_light_where_single_texels_flicker() {
+fn levels_of_detail_keep_the_light_while_single_texels_flicker() {
     let findings = findings(Study::TextureFilter);
     for case in ["floor from above", "slanted floor", "grazing floor"] {
         let error = |scale, method| row(findings, case, scale, method).error;
@@ -292,7 +292,7 @@ fn levels_of_detail_keep_the_light_where_single_texels_flicker() {
     }
 }
 
-/// Without bias faces shadow themselves, with too much of it shadows come off; steps of the map are halved with its
+/// Without bias faces shadow themselves, and with too much of it shadows come off. Steps of the map are halved with its
 /// texels.
 #[test]
 fn shadows_are_wrong_without_bias_and_with_too_much_and_less_so_in_larger_maps() {
@@ -316,7 +316,7 @@ fn shadows_are_wrong_without_bias_and_with_too_much_and_less_so_in_larger_maps()
     }
 }
 
-/// The figure of a row has the shadows of its method, and marks what is wrong with them.
+/// The figure of a row has the shadows of its method, and marks their errors.
 #[test]
 fn the_worst_shadows_open_with_their_wrong_pixels_marked() {
     for r in &findings(Study::Shadows).rows {

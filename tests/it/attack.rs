@@ -1,4 +1,4 @@
-//! Files and arguments that are wrong, too large, or slow: what each reader accepts, and what it prints of them.
+//! Files and arguments that are wrong, too large, or slow: the limits of each reader, and its messages.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -16,7 +16,7 @@ fn sparse(bench: &Bench, name: &str, start: &[u8], size: u64) {
 }
 
 #[test]
-fn each_reader_refuses_what_is_larger_than_its_limit_and_names_the_limit() {
+fn each_reader_refuses_larger_input_and_names_its_limit() {
     const MIB: u64 = 1 << 20;
     let bench = Bench::new("limits");
     bench.write("figure.toml", "[scene]\npreset = \"cube\"\n");

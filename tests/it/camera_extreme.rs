@@ -18,8 +18,8 @@ fn at<'a>(value: &'a Value, path: &str) -> &'a Value {
     path.split('.').fold(value, |value, key| key.parse::<usize>().map_or(&value[key], |index| &value[index]))
 }
 
-/// What differs by more than one unit in the last place, or, for what is 0 or nearly so beside the `size` of its
-/// neighbours, by more than 106 bits can tell.
+/// A component that differs by more than one unit in the last place or, if it is 0 or nearly so beside the `size` of
+/// its neighbours, by more than 106 bits can tell.
 fn difference(found: &Value, expected: &Value, size: f64) -> Option<String> {
     match (found, expected) {
         (Value::Array(found), Value::Array(expected)) if found.len() == expected.len() => {
@@ -73,8 +73,8 @@ fn is_nearest(found: f64, exact: f64) -> bool {
     (found - exact).abs() <= exact.abs().next_up() - exact.abs()
 }
 
-/// With C so far away, p − C has no digits left of p. Held against 512 bits, in which **u** · (p − C) = **u** · (p −
-/// PF) is computed from PF, where nothing cancels; and against a value of 1500 digits.
+/// With C so far away, p − C has no digits left of p. Compared with 512 bits, in which **u** · (p − C) = **u** · (p −
+/// PF) is computed from PF, so that nothing cancels, and with a value of 1500 digits.
 #[test]
 fn a_camera_however_far_away_keeps_every_digit() {
     const ENTRY: f64 = -1.423_883_761_860_283_6;
@@ -110,8 +110,8 @@ fn a_camera_however_far_away_keeps_every_digit() {
     }
 }
 
-/// A turn about PF moves C, and what is left of it by rounding is as large as the world near PF: the sideways
-/// coordinates come from PF all the same.
+/// A turn about PF moves C, and its rounding error is as large as the world near PF. The sideways coordinates come from
+/// PF all the same.
 #[test]
 fn a_far_camera_that_has_turned_about_pf_keeps_every_digit() {
     let image = ImageSize { width: 640, height: 480 };

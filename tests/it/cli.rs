@@ -75,7 +75,7 @@ fn another_aspect_is_letterboxed_not_stretched() {
     bench.run(&["render", "figure.toml", "-o", "plain.png"]).done();
     bench.run(&["render", "figure.toml", "--size", "104x48", "-o", "wide.png"]).done();
     let (plain, wide) = (pixels(&bench.read("plain.png")).2, pixels(&bench.read("wide.png")).2);
-    // The picture of 64 × 48 stands in the middle of 104 × 48, with bars of 20; its frame lies on the border.
+    // The picture of 64 × 48 stands in the middle of 104 × 48, with bars of 20. Its frame lies on the border.
     for y in 8..40 {
         let row = |data: &[u8], width: usize, x: usize, n: usize| data[3 * (y * width + x)..][..3 * n].to_vec();
         assert!(row(&plain, 64, 2, 60) == row(&wide, 104, 22, 60), "row {y}");
@@ -114,7 +114,7 @@ fn pictures_for_paper_and_for_the_web() {
     let jpeg = render(&["--width-cm", "8", "--theme", "print"], "a.jpeg").to_rgba8();
     assert_eq!(jpeg.dimensions(), print.dimensions());
     assert!(print.pixels().all(|p| p.0[3] == 255));
-    // Without ground, the corner is clear; cropped, the picture ends where it shows something.
+    // Without ground, the corner is clear. Cropped, the picture ends at its contents.
     let clear = render(&["--width-cm", "8", "--transparent"], "b.png").to_rgba8();
     assert!(clear.get_pixel(0, 0).0[3] == 0 && clear.pixels().any(|p| p.0[3] == 255));
     let cropped = render(&["--view", "world", "--size", "600x600", "--crop"], "c.png").to_rgba8();
@@ -132,7 +132,7 @@ fn pictures_for_paper_and_for_the_web() {
 }
 
 #[test]
-fn what_is_measured_in_points_is_told_to_who_prints_it() {
+fn a_picture_measured_in_points_has_its_density() {
     let bench = bench("points");
     let density = |arguments: &[&str]| {
         let run = bench.run(&[&["render", "figure.toml", "-o", "a.png"], arguments].concat());
@@ -165,7 +165,7 @@ fn what_is_measured_in_points_is_told_to_who_prints_it() {
 }
 
 #[test]
-fn three_pictures_on_small_paper_are_arranged_and_said_to_be_small() {
+fn three_pictures_on_small_paper_are_arranged_with_a_notice() {
     let bench = bench("sheet");
     let all = |arguments: &[&str]| {
         bench.run(&[&["render", "figure.toml", "--view", "all", "-o", "a.png", "--width-cm"], arguments].concat())
@@ -367,7 +367,7 @@ fn there_are_not_more_lights_than_may_be() {
     }
 }
 
-/// The signal of Ctrl+C; where whoever runs the tests has told this program not to hear it, the one that ends programs.
+/// The signal of Ctrl+C. If the user who runs the tests has made this program ignore it, the one that ends programs.
 #[cfg(unix)]
 fn interrupt() -> &'static str {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
@@ -394,7 +394,7 @@ fn an_interrupted_command_leaves_the_file_as_it_was_and_nothing_else() {
 }
 
 #[test]
-fn an_option_before_the_command_is_told_where_to_stand() {
+fn an_option_before_the_command_gives_the_right_order() {
     let bench = bench("before");
     for (arguments, found) in [
         (

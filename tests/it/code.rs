@@ -22,7 +22,7 @@ use crate::common::program::Bench;
 
 const IMAGE: ImageSize = ImageSize { width: 640, height: 480 };
 
-/// Three cameras whose code for glam is kept in `tests/code`, where this file includes and so runs it.
+/// Three cameras whose code for glam is kept in `tests/code`. This file includes it and so runs it.
 fn cameras() -> [(&'static str, Camera, (DMat4, DMat4)); 3] {
     let pose = Parameters {
         position: DVec3::new(3.0, 4.0, 5.0),
@@ -164,7 +164,7 @@ fn code_of_programs_that_are_read_gives_the_camera_back() {
             let stated = Stated { image: pasted.image.unwrap_or(IMAGE), ..Stated::default() };
             let found = recognise(pasted, &stated, camera.parameters()).unwrap_or_else(|e| panic!("{e}: {code}"));
             let mut read = found.best().found.parameters;
-            // nerfstudio's z is up, so its world was turned; here it was turned there first.
+            // nerfstudio's z is up, so its world was turned. Here it was turned there first.
             (read.near, read.far) = (camera.near(), camera.far());
             let again = Camera::new(&read).unwrap();
             let (here, there) = (camera.clip_from_world(), again.clip_from_world());
@@ -309,7 +309,7 @@ proptest! {
         prop_assert!((i - expected.0).abs() < slack && (j - expected.1).abs() < slack, "{i} {j} {expected:?}");
     }
 
-    /// What is set is what is shown afterwards.
+    /// The camera that was set is the one shown afterwards.
     #[test]
     fn a_number_that_is_set_is_there_afterwards(camera in plain_camera(), factor in 0.5..1.5) {
         for vocabulary in Vocabulary::ALL {

@@ -1,4 +1,4 @@
-//! One figure in two ways in one picture: what each side shows, and the formats of depths, which are worth comparing.
+//! One figure in two ways in one picture: the sides, and the formats of depths, which are worth comparing.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -72,7 +72,7 @@ fn left_of_the_wiper_is_one_picture_and_right_of_it_the_other() {
 }
 
 #[test]
-fn hidden_lines_are_compared_but_for_what_is_painted_on_faces_and_grids() {
+fn hidden_lines_are_compared_except_for_marks_on_faces_and_grids() {
     let text = "[scene]\npreset = \"cube\"\n[[scene.objects]]\nname = \"g\"\nshape = \"grid\"\nscale = [3, 1, 3]\n\
         translate = [0, -0.5, 0]\n";
     let mut renderer = Renderer::default();
@@ -147,7 +147,7 @@ fn two_halves_have_a_whole_picture_each() {
 }
 
 #[test]
-fn both_boxes_of_two_conventions_are_in_the_picture_and_what_looks_alike_is_not_compared() {
+fn both_boxes_of_two_conventions_show_and_equal_sides_do_not() {
     let figure = compared(Comparison::of_key("show.ndc", "\"direct3d\""));
     assert!(request(&figure, View::World).sides().is_none() && request(&figure, View::Image).sides().is_none());
     let [own, other] = request(&figure, View::Canonical).sides().unwrap();
@@ -274,7 +274,7 @@ fn a_file_a_link_and_render_draw_the_same_comparison() {
 fn a_comparison_that_is_impossible_is_no_picture_less() {
     let figure = compared(Comparison::of_key("camera.near", "1e9"));
     assert!(drawn(&request(&figure, View::Image)) == drawn(&request(&house(Show::default()), View::Image)));
-    // It is drawn, and the reason is told.
+    // It is drawn, and a message gives the reason.
     let bench = Bench::new("impossible side");
     bench.write("figure.toml", "[compare]\nwith = { \"camera.near\" = 1e9 }\n");
     let run = bench.run(&["render", "figure.toml", "--size", "60x40", "-o", "a.png", "--lang", "pt-BR"]);
@@ -301,7 +301,7 @@ fn differing(one: &Pixels, other: &Pixels) -> usize {
 }
 
 #[test]
-fn planes_fight_in_the_image_where_depths_have_few_bits() {
+fn planes_fight_in_the_image_if_depths_have_few_bits() {
     let image = |format| request(&fighting(format), View::Image);
     let [fixed_16, fixed_24, float] = ["fixed-16", "fixed-24", "f32-reversed"].map(|format| drawn(&image(format)));
     let (coarse, fine) = (differing(&fixed_16, &float), differing(&fixed_24, &float));
@@ -314,7 +314,7 @@ fn planes_fight_in_the_image_where_depths_have_few_bits() {
             assert!(differing(&of("fixed-16"), &of("f32-reversed")) > 300);
         }
     }
-    // The canonical volume has no depth buffer of its own; the world has the image on its window.
+    // The canonical volume has no depth buffer of its own. The world has the image on its window.
     assert!(
         drawn(&request(&fighting("fixed-16"), View::Canonical))
             == drawn(&request(&fighting("f32-reversed"), View::Canonical))
@@ -361,7 +361,7 @@ fn caption_of(key: &str, value: Option<&str>, lang: Lang) -> String {
 }
 
 #[test]
-fn captions_say_in_words_what_a_figure_reveals() {
+fn captions_describe_in_words_the_options_of_reveal() {
     fn names<T>(list: words::Words<T>) -> Vec<Option<&'static str>> {
         std::iter::once(None).chain(list.iter().map(|(word, _)| Some(*word))).collect()
     }

@@ -1,4 +1,4 @@
-//! How the pictures of every shipped figure are composed, at the sizes that occur, read from what is drawn.
+//! The composition of the pictures of every shipped figure, at the sizes that occur, read from their drawings.
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ fn world(figure: &Figure, scene: &SharedScene, (width, height): (u32, u32)) -> R
     Request::of(figure, View::World, &camera, scene, pictures::labels(Lang::En), size)
 }
 
-/// Where an observer's picture has a point, by the observer's own matrix.
+/// The place of a point in an observer's picture, by the observer's own matrix.
 fn place(request: &Request, observer: &Observer, p: DVec3) -> DVec2 {
     let camera = observer.camera(None, request.size.aspect()).unwrap();
     let clip = camera.clip_from_world() * p.extend(1.0);
@@ -89,7 +89,7 @@ fn assert_whole(name: &str, request: &Request) {
     assert_eq!(far.len(), 1, "{what}: one far face, uncut");
     assert!(far[0].iter().all(|p| inside(*p)), "{what}: {:?}", far[0]);
     let is_broken = drawing.labels.iter().any(|l| l.text.contains("(B = "));
-    // By a numerical inverse of the matrices; the library has its own in closed form.
+    // By a numerical inverse of the matrices. The library has its own in closed form.
     let world_from_clip = camera.clip_from_world().inverse();
     for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
         for z in [-1.0, 1.0] {
@@ -144,7 +144,7 @@ fn a_far_plane_that_would_dwarf_the_scene_is_drawn_nearer_and_says_so() {
         let observer = request.seen_from().unwrap();
         let [c, pf] = [request.camera.position(), request.camera.focal_point()].map(|p| place(&request, &observer, p));
         assert!(c.distance(pf) > 120.0, "B = {far}: C and PF are {} px apart", c.distance(pf));
-        // Two strokes end each of the four long edges' parts; on the whole volume there are none.
+        // Two strokes end each of the four long edges' parts. On the whole volume there are none.
         let short = polylines(&drawing, palette.volume_edge, Dash::Solid)
             .into_iter()
             .filter(|line| line.len() == 2 && line[0].distance(line[1]) < 16.0)
@@ -156,7 +156,7 @@ fn a_far_plane_that_would_dwarf_the_scene_is_drawn_nearer_and_says_so() {
 }
 
 #[test]
-fn an_observer_that_nobody_turned_keeps_clear_of_dop_u_v_and_n() {
+fn an_automatic_observer_keeps_clear_of_dop_u_v_and_n() {
     let (_, figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
     let mut request = world(&figure, &scene, (640, 480));
     for step in 1..=24 {
@@ -244,7 +244,7 @@ fn texts_keep_clear_of_each_other_of_marks_and_of_the_frame_in_every_figure() {
     }
 }
 
-/// The text that begins so, and where its middle stands.
+/// The text that begins so, and the place of its middle.
 fn text_at<'a>(drawing: &'a Drawing, start: &str) -> Option<(&'a str, DVec2)> {
     let label = drawing.labels.iter().find(|l| l.text.starts_with(start))?;
     let x = f64::from(label.position[0] + label.offset[0]);
@@ -330,7 +330,7 @@ fn the_section_constructs_the_image_of_a_point_by_similar_triangles() {
 }
 
 #[test]
-fn the_section_takes_the_p_of_the_scene_where_it_has_an_image_and_names_a_vertex_otherwise() {
+fn the_section_takes_the_scenes_p_if_it_has_an_image_else_a_vertex() {
     let mut figure = Figure::of_preset(camera_lab::scene::Preset::Exercise51);
     let scene =
         SharedScene::new(views::scene_of(&figure, &mut camera_lab::scene::no_files, &Progress::default()).unwrap());
@@ -349,7 +349,7 @@ fn the_section_takes_the_p_of_the_scene_where_it_has_an_image_and_names_a_vertex
 }
 
 #[test]
-fn the_painted_window_fades_where_it_would_hide_the_scene_and_as_the_figure_says() {
+fn the_painted_window_fades_if_it_would_hide_the_scene() {
     let (_, figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
     let opacity = |figure: &Figure| {
         let request = world(figure, &scene, (480, 400));

@@ -1,4 +1,4 @@
-//! `inspect`: the numbers of the contract, held against values that were computed with 150 digits, and its errors.
+//! `inspect`: the numbers of the contract, compared with values that were computed with 150 digits, and its errors.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -16,7 +16,7 @@ fn at<'a>(value: &'a Value, path: &str) -> &'a Value {
     path.split('.').fold(value, |value, key| key.parse::<usize>().map_or(&value[key], |index| &value[index]))
 }
 
-/// Holds each number within its tolerance; a list of numbers may share one.
+/// Holds each number within its tolerance. A list of numbers may share one.
 #[track_caller]
 fn assert_near(found: &Value, expected: &Value, tolerance: &Value, path: &str) {
     if let Some(expected) = expected.as_array() {

@@ -1,4 +1,4 @@
-//! What a frame costs: `explain --cost`.
+//! The cost of a frame: `explain --cost`.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -48,7 +48,7 @@ fn torus(segments: u32, rest: &str) -> String {
 }
 
 #[test]
-fn the_cost_is_told_only_where_it_is_asked_for() {
+fn the_cost_is_in_the_report_only_on_request() {
     let bench = Bench::new("cost-shape");
     bench.write("figure.toml", torus(16, ""));
     let explained = told(&bench, &["figure.toml"]);

@@ -1,4 +1,4 @@
-//! Visibility does not hang on F and B: depths are resolved over what is in view.
+//! Visibility does not depend on F and B: depths are resolved over the objects in view.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

@@ -24,7 +24,8 @@ fn near(found: f64, expected: f64) {
     assert!((found - expected).abs() <= 1e-9 * expected.abs(), "{found} is not {expected}");
 }
 
-/// The depth of the next step of a depth buffer is where Z (5.25), as a formula of its own, has grown by 2^−24.
+/// The depth of the next step of a depth buffer is the one at which Z (5.25), as a formula of its own, has grown by
+/// 2^−24.
 #[test]
 fn the_values_are_those_of_formulas_of_their_own() {
     let mut random = Random::new(4, 0);
@@ -49,7 +50,7 @@ fn the_values_are_those_of_formulas_of_their_own() {
         let step = 2f64.powi(-24);
         match p.projection {
             Projection::Perspective => {
-                // 1/d is even in Z: Z = (1/F − 1/d) / (1/F − 1/B); its derivative at B.
+                // 1/d is even in Z: Z = (1/F − 1/d) / (1/F − 1/B). Its derivative at B.
                 let slope = (1.0 / (b * b)) / (1.0 / f - 1.0 / b);
                 near(line(&p, HealthQuantity::DepthResolution).value, step / slope);
                 near(line(&p, HealthQuantity::ViewAngle).value, p.view_angle);
@@ -109,9 +110,9 @@ fn levels_begin_where_the_thresholds_stand() {
     hold(HealthQuantity::VolumeShape, Fair, planes(6.0, 50.0));
 }
 
-/// One way to judge: where a warning says something, the line is not good; and a repair makes it better.
+/// One way to judge: if the camera has a warning, the line is not good, and a repair makes it better.
 #[test]
-fn where_a_warning_says_something_the_line_is_not_good_and_repairs_help() {
+fn if_the_camera_has_a_warning_the_line_is_not_good_and_repairs_help() {
     let mut random = Random::new(9, 1);
     let mut warned = 0;
     for _ in 0..400 {
@@ -145,9 +146,8 @@ fn where_a_warning_says_something_the_line_is_not_good_and_repairs_help() {
     assert!(warned > 400);
 }
 
-/// z_n as the matrix of each convention has it, and what formats make of two planes: the length of a step against the
-/// change of depth that changes what is stored by one, by a formula of its own, and stripes where that is longer than
-/// the gap.
+/// z_n as the matrix of each convention has it, and two planes in each format: the length of a step against the change
+/// of depth that changes the stored value by one, by a formula of its own, and stripes if that is longer than the gap.
 #[test]
 fn depth_formats_follow_the_convention() {
     for projection in [Projection::Perspective, Projection::Parallel] {
@@ -228,7 +228,7 @@ fn the_repair_is_written_with_comments_and_shows_the_object() {
     let json = bench.run(&["diagnose", "b.toml", "--format", "json"]).json();
     assert_eq!(json["findings"].as_array().unwrap().len(), 0);
     assert!(json["visible"].as_u64().unwrap() > 1000);
-    // There is nothing to repair now: that is said, and the figure stays as it is.
+    // There is nothing to repair now. The output says so, and the figure stays as it is.
     let again = bench.run(&["diagnose", "b.toml", "--repair", "-o", "c.toml"]);
     assert!(again.status == Some(0) && again.err.contains("nothing to repair"), "{}", again.err);
     assert_eq!(bench.read("c.toml"), bench.read("b.toml"));
@@ -257,7 +257,7 @@ fn a_repaired_figure_in_another_folder_has_the_same_meshes() {
     assert!(String::from_utf8(bench.read("b.toml")).unwrap().contains("path = \"aula/meshes/face.obj\""));
 }
 
-/// What a named scene consists of is called by its name in the language; programs read the name itself.
+/// The parts of a named scene have names in the language. Programs read the name itself.
 #[test]
 fn objects_of_a_named_scene_have_their_names_in_the_language() {
     let bench = Bench::new("diagnose-names");
@@ -292,14 +292,15 @@ fn nothing_is_wrong_with_the_figures_that_come_with_the_program() {
     }
 }
 
-/// Of the depths that an `f64` has no number for, that is said; what it has one for is a number, however it is come by.
+/// Depths that an `f64` has no number for are reported as such. Any other depth is a number, in whatever way it was
+/// computed.
 #[test]
 fn no_sentence_and_no_number_is_infinite() {
     let bench = Bench::new("diagnose-infinite");
     for (camera, known) in [
         ("position = [0, 0, 1e300]\n", "more than 10³⁰⁸ at PF"),
         ("near = 1e-100\nfar = 1e150\n", "more than 10³⁰⁸ at B"),
-        // (1e157)² is one; a step of 2⁻²⁴ of it is none.
+        // (1e157)² is one, a step of 2⁻²⁴ of it is none.
         ("near = 1\nfar = 1e157\n", "5.96e306 at B"),
         ("position = [0, 0, 1e300]\nprojection = \"parallel\"\nfar = 1e300\n", "5e299 times"),
     ] {

@@ -58,7 +58,7 @@ impl Case {
         Self { random, camera: Camera::new(&p).unwrap() }
     }
 
-    /// Half the width and height of what is in view at a depth, and its middle.
+    /// Half the width and height of the view at a depth, and its middle.
     fn window_at(&self, depth: f64) -> ([f64; 2], [f64; 2]) {
         let w = self.camera.window();
         let scale = if self.camera.projection() == Projection::Perspective { depth / self.camera.near() } else { 1.0 };
@@ -119,7 +119,7 @@ fn pixels(scene: &Scene, camera: &Parameters, style: &Style) -> usize {
 #[track_caller]
 fn hold(seed: u64, cause: Cause, case: &Case, scene: &Scene) -> Diagnosis {
     let diagnosis = diagnose(scene, &case.camera, &Style::default(), IMAGE).unwrap();
-    // What covers a pixel by less than a grey level does not change it.
+    // An object that covers a pixel by less than a grey level does not change it.
     let changed = pixels(scene, case.camera.parameters(), &Style::default()) as u64;
     assert!((changed..=changed + 3 + changed / 50).contains(&diagnosis.visible), "{seed}: {changed} {diagnosis:?}");
     assert_eq!(diagnosis.covered, diagnosis.visible as f64 / (160.0 * 120.0));
@@ -277,7 +277,7 @@ fn a_thing_in_the_middle_of_the_picture_is_as_it_should_be() {
     }
 }
 
-/// What no single plane keeps out: the floor around an eye that looks up.
+/// Objects that no single plane keeps out: the floor around an eye that looks up.
 #[test]
 fn a_floor_around_an_eye_that_looks_up_is_not_in_the_picture() {
     let up = Parameters {
@@ -298,9 +298,9 @@ fn a_floor_around_an_eye_that_looks_up_is_not_in_the_picture() {
     }
 }
 
-/// Beyond B and to the left: neither alone would show it, and what is done about the first does both.
+/// Beyond B and to the left: neither repair alone would show it, and the one for the first cause does both.
 #[test]
-fn two_causes_are_both_said_and_undone_together() {
+fn two_causes_are_both_named_and_undone_together() {
     let p = Parameters { position: DVec3::ZERO, focal_point: DVec3::NEG_Z, far: 20.0, ..Parameters::default() };
     let thing = ObjectSpec::new("thing", Shape::Sphere).at(-40.0, 0.0, -30.0);
     let scene = scene(vec![thing]);
@@ -324,10 +324,9 @@ fn the_cause_of_most_objects_comes_first() {
     assert_eq!(diagnosis.findings.len(), 3);
 }
 
-/// What is lost whole and what is lost in part for the same reason is one finding, and what is done about it shows the
-/// former.
+/// Objects lost whole and objects lost in part for the same reason are one finding, and its repair shows the former.
 #[test]
-fn a_cause_is_said_once_with_what_is_lost_whole_and_in_part() {
+fn a_cause_has_one_finding_with_whole_and_partial_losses() {
     let p = Parameters { position: DVec3::ZERO, focal_point: DVec3::NEG_Z, far: 20.0, ..Parameters::default() };
     let ball = |name: &str, z: f64| ObjectSpec::new(name, Shape::Sphere).at(0.0, 0.0, z).scaled(3.0, 3.0, 3.0);
     let scene = scene(vec![ball("seen", -12.0), ball("in part", -21.0), ball("lost", -40.0)]);

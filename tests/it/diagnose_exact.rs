@@ -71,7 +71,7 @@ fn an_order_of_painting_that_is_wrong_is_a_finding() {
         bench.write("f.toml", cycle(&format!("visibility = \"{visibility}\"")));
         assert_eq!(codes(&diagnosed(&bench, "f.toml")), [], "{visibility}");
     }
-    // Bars of the same colour can't be told apart.
+    // Bars of the same colour can't be distinguished.
     bench.write("f.toml", cycle("visibility = \"painter\"\nshading = \"wireframe\""));
     assert_eq!(codes(&diagnosed(&bench, "f.toml")), []);
 }
@@ -152,7 +152,7 @@ fn an_impossible_camera_is_a_finding_with_a_repair() {
 }
 
 #[test]
-fn a_refused_camera_names_the_way_to_get_what_it_asks_for() {
+fn a_refused_camera_names_the_convention_that_allows_it() {
     let bench = Bench::new("diagnose-way-out");
     for lang in ["en", "pt-BR"] {
         for (camera, way) in [("far = inf", "-infinite"), ("near = 100\nfar = 0.1", "-reversed")] {

@@ -11,7 +11,7 @@ use super::exercise_slips::typed;
 use super::exercise_slips_others::{number, tuple};
 use super::exercise_verdicts::{exercise, right, together};
 
-/// A wrong answer, and another one that follows from it; row by row.
+/// A wrong answer, and another one that follows from it, row by row.
 struct Pair {
     wrong: (&'static str, Vec<f64>),
     follows: Vec<(&'static str, Vec<f64>)>,
@@ -40,7 +40,7 @@ fn pair(id: &str, seed: u64) -> Pair {
     let v = n.cross(u);
     match id {
         "basis" => {
-            // n with one wrong difference; u and v computed from it.
+            // n with one wrong difference, and u and v computed from it.
             let n = (c - pf + DVec3::X).normalize();
             let u = up.cross(n).normalize();
             Pair { wrong: ("n", array(n)), follows: vec![("u", array(u)), ("v", array(n.cross(u)))] }
@@ -184,7 +184,7 @@ const EXERCISES: [&str; 19] = [
 ];
 
 #[test]
-fn what_follows_rightly_from_a_wrong_answer_is_carried_in_every_family() {
+fn consequences_of_a_wrong_answer_are_carried_in_every_family() {
     let mut carried = 0;
     for id in EXERCISES {
         for seed in 0..if id.starts_with("1-") { 1 } else { 12 } {
@@ -198,7 +198,7 @@ fn what_follows_rightly_from_a_wrong_answer_is_carried_in_every_family() {
             let judged = together(id, seed, &answers);
             assert!(!judged[0].right && judged[0].carried.is_empty(), "{id} {seed}: {:?}", judged[0]);
             for judged in &judged[1..] {
-                // It may be right all the same, as v where n is turned about it.
+                // It may be right all the same, for example v if n is turned about it.
                 if judged.right {
                     continue;
                 }
@@ -219,7 +219,7 @@ fn what_follows_rightly_from_a_wrong_answer_is_carried_in_every_family() {
 
 /// Never is “u points to the wrong side” said beside a u that is right.
 #[test]
-fn no_reason_is_told_that_a_right_answer_beside_it_excludes() {
+fn no_reason_is_given_that_a_right_answer_beside_it_excludes() {
     let mut told = 0;
     for id in ["basis", "window", "pixel", "ndc", "elevation", "yaw", "left-handed", "vocabulary", "viewport"] {
         for seed in 0..6 {

@@ -1,4 +1,4 @@
-//! Every known mistake, made by hand, gets its code; and the command line judges as the contract says.
+//! Every known mistake, made by hand, gets its code, and the command line judges as the contract says.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -62,13 +62,13 @@ fn each_mistake_gets_its_code() {
         ),
         ("view-matrix", "Mv", view_matrix(["-2", "-1", "-1"]), "translation-not-rotated"),
         ("view-matrix", "Mv", view_matrix(["1/√13", "5/√182", "9/√14"]), "position-not-negated"),
-        // θ = 40°, A = 5/4, F = 2/5; the tangent of 20 rad.
+        // θ = 40°, A = 5/4, F = 2/5, and the tangent of 20 rad.
         ("window", "H", "0.8*2.2371609442247422".to_owned(), "radians"),
         ("window", "H", "0.8*tan(40°)".to_owned(), "whole-angle"),
         ("window", "W", "0.8*tan(20°)/1.25".to_owned(), "aspect-inverted"),
         // θ = 40°, s = 3.
         ("zoom", "theta", "40/3".to_owned(), "zoom-on-angle"),
-        // The point is (1/(2√5), −7/(3√5), −25/6) in the VRC; θ = 50°, A = 4/3, F = 3/2, B = 75/2.
+        // The point is (1/(2√5), −7/(3√5), −25/6) in the VRC, with θ = 50°, A = 4/3, F = 3/2, B = 75/2.
         ("ndc", "ndc", "[0.5/√5*3/4/tan(25°), -7/(3√5)/tan(25°), 25/18]".to_owned(), "no-divide"),
         ("perspective-matrix", "Mp", projection_matrix(perspective, depth, "1"), "z-sign"),
         ("perspective-matrix", "Mp", projection_matrix(perspective, ["-20/19", "-8/19"], "-1"), "z-range"),
@@ -88,8 +88,7 @@ fn each_mistake_gets_its_code() {
             "[[3/√2, -3/√2, 0, 27/√2], [1/√2, 1/√2, 0, 1/√2], [0, 0, 0.5, 0.5], [0, 0, 0, 1]]".to_owned(),
             "order-reversed",
         ),
-        // n = (1, 1, 1)/√3, u = (−1, 1, 0)/√2, v = (−1, −1, 2)/√6, and 45°: about v in the place of u; and the other
-        // way.
+        // n = (1, 1, 1)/√3, u = (−1, 1, 0)/√2, v = (−1, −1, 2)/√6, and 45°: about v in place of u, and the other way.
         ("elevation", "n", "[1/√6 - 1/2, 1/√6 + 1/2, 1/√6]".to_owned(), "other-operation"),
         ("elevation", "n", "[1/√6 - 1/√12, 1/√6 - 1/√12, 1/√6 + 2/√12]".to_owned(), "opposite-angle"),
         ("window", "H", "0.29".to_owned(), "rounded-too-early"),
@@ -104,7 +103,7 @@ fn each_mistake_gets_its_code() {
 }
 
 #[test]
-fn axes_in_the_columns_of_the_view_matrix_are_told() {
+fn axes_in_the_columns_of_the_view_matrix_are_recognised() {
     let columns = |x: &str, y: &str, z: &str| {
         format!("[[2/√13, -3/√182, 3/√14, {x}], [0, 13/√182, 1/√14, {y}], [-3/√13, -2/√182, 2/√14, {z}], [0, 0, 0, 1]]")
     };
@@ -121,14 +120,14 @@ fn axes_in_the_columns_of_the_view_matrix_are_told() {
 
 #[test]
 fn the_whole_angle_is_found_with_and_without_the_factor_of_two() {
-    // θ = 40°, A = 5/4, F = 2/5: H = 2 F tan θ, H = F tan θ, and what follows for W.
+    // θ = 40°, A = 5/4, F = 2/5: H = 2 F tan θ, H = F tan θ, and the W that follows.
     for (name, answer) in [("H", "0.8*tan(40°)"), ("H", "0.4*tan(40°)"), ("W", "0.5*tan(40°)")] {
         assert_eq!(codes(&judge("window", 1, name, answer)), ["whole-angle"], "{name} = {answer}");
     }
 }
 
 #[test]
-fn two_mistakes_together_are_told_both() {
+fn two_mistakes_together_are_both_named() {
     // −C, not turned, beside axes in the columns.
     let matrix = "[[2/√13, -3/√182, 3/√14, -2], [0, 13/√182, 1/√14, -1], [-3/√13, -2/√182, 2/√14, -1], [0, 0, 0, 1]]";
     assert_eq!(codes(&judge("view-matrix", 1, "Mv", matrix)), ["translation-not-rotated", "transposed"]);
@@ -141,10 +140,10 @@ fn two_mistakes_together_are_told_both() {
     }
 }
 
-/// `[0]` 5.2 by hand: **n** = (6, −1, −1)/√38, **u** = (0, 1, −1)/√2, **v** = (1, 3, 3)/√19; after the zoom t = F/3 and
+/// `[0]` 5.2 by hand: **n** = (6, −1, −1)/√38, **u** = (0, 1, −1)/√2, **v** = (1, 3, 3)/√19. After the zoom t = F/3 and
 /// r = F/4.
 #[test]
-fn what_depends_on_f_may_be_a_formula_in_f() {
+fn answers_that_depend_on_f_may_be_formulas_in_f() {
     let corner = |f: &str, of_v: &str| {
         format!("[7 + {of_v}/(3√19) - 6*{f}/√38, {f}/(4√2) + {f}/√19 + {f}/√38, {f}/√19 - {f}/(4√2) + {f}/√38]")
     };
@@ -181,7 +180,7 @@ fn the_command_line_judges_as_the_contract_says() {
     let right = run(&["parallel_origin=[2,2; 4,6; -1]", "perspective_origin=[6/2, 4, 0]"]).json();
     assert_eq!((&right["right"], right["answers"].as_array().unwrap().len()), (&true.into(), 2));
     assert_eq!(right["answers"][0]["diagnosis"], serde_json::Value::Null);
-    // What is not known costs its own part alone.
+    // An unknown name costs its own part alone.
     let part = run(&["parallel_origin=[11/5, ?, -1]"]);
     let judged: serde_json::Value = serde_json::from_slice(&part.out).unwrap();
     assert_eq!((part.status, &judged["right"]), (Some(1), &false.into()));
@@ -193,7 +192,7 @@ fn the_command_line_judges_as_the_contract_says() {
     assert_eq!((wrong.status, diagnosis["code"].as_str()), (Some(1), Some("sign")));
     assert!(!diagnosis["message"].as_str().unwrap().is_empty() && diagnosis["hints"].as_array().unwrap().len() >= 2);
     assert_eq!(diagnosis["others"], serde_json::json!(["n-reversed"]));
-    // What cannot be read is not judged, and neither is what stands beside it.
+    // An unreadable answer is not judged, and neither is the one beside it.
     for answers in [
         &["parallel_origin=[11/5, 23/5, -1"][..],
         &["parallel_origin=[11/5, 23/5, -1]", "parallel_direction=[3/5, 4/, 0]"],

@@ -1,5 +1,5 @@
 //! Mistakes made by hand, in formulas that share nothing with those of the program, over many seeds: the first reason
-//! that is told is the one that was made, or one of several that give the same.
+//! in the verdict is the mistake that was made, or one of several that give the same.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -347,8 +347,8 @@ pub(super) fn typed(numbers: &[f64], [rows, columns]: [usize; 2]) -> String {
     format!("[{}]", numbers.chunks(columns).map(list).collect::<Vec<_>>().join(", "))
 }
 
-/// The verdicts on wrong answers: their number, and that of those told alone, as one of several, and not at all, with
-/// those that are right by chance.
+/// The verdicts on wrong answers: their number, and how many name the mistake alone, as one of several, or not at all,
+/// with the answers that are right by chance.
 #[derive(Default)]
 pub(super) struct Counts {
     pub(super) all: u32,
@@ -381,7 +381,7 @@ impl Counts {
         }
     }
 
-    /// Most are told alone, few are right by chance, and none is not told.
+    /// Most are named alone, few are right by chance, and none goes unnamed.
     pub(super) fn hold(&self) {
         let Self { all, first, either, none, same } = self;
         assert!(none.is_empty(), "{none:?}");

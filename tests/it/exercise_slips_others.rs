@@ -1,4 +1,4 @@
-//! Mistakes made by hand in what is asked beside a camera's matrices, from the numbers of the statements alone: windows
+//! Mistakes made by hand in questions beside a camera's matrices, from the numbers of the statements alone: windows
 //! that are not symmetric, clip space, other vocabularies, products of transforms, depth.
 
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
@@ -64,12 +64,12 @@ fn of_asymmetric_window(exercise: &Exercise) -> Vec<Wrong> {
     ]
 }
 
-/// Distances inside the planes of `[2]`, where `w` and the plane of the front are taken as given.
+/// Distances inside the planes of `[2]`, with `w` and the plane of the front taken as given.
 fn inside([x, y, z, w]: [f64; 4], front: f64) -> [f64; 6] {
     [w + x, w - x, w + y, w - y, front + z, w - z]
 }
 
-/// t where a segment enters, and where it leaves; `None` if nothing of it is inside.
+/// t at which a segment enters, and t at which it leaves. `None` if nothing of it is inside.
 fn cut(a: [f64; 6], b: [f64; 6]) -> Option<[f64; 2]> {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for (at_a, at_b) in a.into_iter().zip(b) {

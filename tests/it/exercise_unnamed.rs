@@ -1,4 +1,5 @@
-//! Frequent mistakes that had no name, made by hand from the statements: each is told, beside what gives the same.
+//! Frequent mistakes that had no name, made by hand from the statements: each verdict names the mistake, beside others
+//! that give the same.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -20,7 +21,7 @@ fn vector(v: DVec3) -> String {
     list(&v.to_array())
 }
 
-/// What the statement gives, and the axes as (5.3) has them.
+/// The numbers of the statement, and the axes as (5.3) has them.
 struct Given {
     c: DVec3,
     pf: DVec3,
@@ -37,7 +38,7 @@ fn given(id: &str, seed: u64) -> Given {
     Given { c, pf, u, v: n.cross(u), n }
 }
 
-/// Says it of every seed whose wrong answer isn't right by coincidence; of half of them at least.
+/// Asserts it for every seed whose wrong answer isn't right by coincidence, and for half of them at least.
 fn told_of(id: &str, name: &str, code: &str, wrong: impl Fn(u64) -> Option<String>) {
     let mut count = 0;
     for seed in SEEDS {
@@ -53,7 +54,7 @@ fn told_of(id: &str, name: &str, code: &str, wrong: impl Fn(u64) -> Option<Strin
 }
 
 #[test]
-fn a_rotation_through_the_wrong_point_is_told() {
+fn a_rotation_about_the_wrong_point_is_recognised() {
     for (id, name, about_u, moves_c) in [
         ("elevation", "C", true, true),
         ("azimuth", "C", false, true),
@@ -66,7 +67,7 @@ fn a_rotation_through_the_wrong_point_is_told() {
             let turn = DQuat::from_axis_angle(if about_u { u } else { v }, angle);
             Some(vector(if moves_c { c + turn * (pf - c) } else { pf + turn * (c - pf) }))
         });
-        // Through itself it stays: that is what was there before as well, and both are said.
+        // Turned about itself it stays, as it was before, so the verdict names both.
         told_of(id, name, "wrong-point", |seed| {
             let Given { c, pf, .. } = given(id, seed);
             let told = verdict(id, seed, name, vector(if moves_c { c } else { pf }));
@@ -77,7 +78,7 @@ fn a_rotation_through_the_wrong_point_is_told() {
 }
 
 #[test]
-fn half_of_the_view_transform_is_told() {
+fn half_of_the_view_transform_is_recognised() {
     let p = |seed: u64| exercise("ndc", seed).subject.points[0];
     told_of("ndc", "view", "not-done", |seed| Some(vector(p(seed) - given("ndc", seed).c)));
     told_of("ndc", "view", "not-done", |seed| {
@@ -122,7 +123,7 @@ fn half_of_the_view_transform_is_told() {
 }
 
 #[test]
-fn the_fourth_coordinate_is_told() {
+fn mistakes_in_the_fourth_coordinate_are_recognised() {
     let in_perspective =
         |seed: &u64| exercise("ndc", *seed).subject.figure.camera.projection == Projection::Perspective;
     let clip = |seed: u64| DVec4::from_slice(&right("ndc", seed, "clip"));
@@ -135,7 +136,7 @@ fn the_fourth_coordinate_is_told() {
 }
 
 #[test]
-fn rays_that_start_on_the_window_and_numbers_of_the_vrc_are_told() {
+fn rays_from_the_window_and_view_coordinates_are_recognised() {
     let window = |seed: u64| {
         let exercise = exercise("ray", seed);
         let (figure, [i, j]) = (&exercise.subject.figure, exercise.subject.pixels[0]);
@@ -173,7 +174,7 @@ fn the_corner_of_5_2_has_its_mistakes() {
 }
 
 #[test]
-fn the_least_of_several_entries_is_told() {
+fn the_least_of_several_entries_is_recognised() {
     let planes = |p: &[f64]| [p[3] + p[0], p[3] - p[0], p[3] + p[1], p[3] - p[1], p[3] + p[2], p[3] - p[2]];
     let ends = |seed: u64| {
         let facts = exercise("clip-segment", seed).facts;

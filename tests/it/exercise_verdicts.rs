@@ -1,5 +1,5 @@
-//! Verdicts on wrong answers, each made by hand from the numbers of an exercise: the reason that is told is the mistake
-//! that was made, or one of several that give the same.
+//! Verdicts on wrong answers, each made by hand from the numbers of an exercise: the reason in the verdict is the
+//! mistake that was made, or one of several that give the same.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -54,7 +54,7 @@ pub(crate) fn together(id: &str, seed: u64, answers: &[(&str, String)]) -> Vec<J
     answers.iter().map(|(name, text)| check_beside(entry, &exercise, ask(name), text, &read).unwrap()).collect()
 }
 
-/// The codes that are told: those made together, and after a `|` those that give the same.
+/// The codes of the verdict: those made together, and after a `|` those that give the same.
 pub(crate) fn told(judged: &Judged) -> String {
     let codes = |causes: &[camera_lab::exercises::Cause]| {
         causes.iter().map(|cause| cause.mistake.code()).collect::<Vec<_>>().join("+")
@@ -66,7 +66,7 @@ pub(crate) fn told(judged: &Judged) -> String {
     })
 }
 
-/// What is told of one answer, and that it is not right.
+/// The verdict on one answer, which is not right.
 pub(crate) fn verdict(id: &str, seed: u64, name: &str, answer: impl Into<String>) -> String {
     let judged = together(id, seed, &[(name, answer.into())]).remove(0);
     assert!(!judged.right, "{id} {seed} {name}");
@@ -122,7 +122,7 @@ fn small_numbers_are_judged_by_their_size() {
 
 /// A3.
 #[test]
-fn what_the_notes_misprint_is_told_as_such() {
+fn a_misprint_of_the_notes_is_recognised() {
     for (id, seed) in [("parallel-matrix", 0), ("parallel-matrix", 200), ("0-5.2", 0)] {
         let mut matrix = right(id, seed, "Mp");
         matrix[15] = 0.0;
@@ -167,7 +167,7 @@ fn axes_are_judged_with_the_students_own() {
 
 /// A5 and B10 along other ways.
 #[test]
-fn what_is_right_for_a_wrong_value_is_told_so() {
+fn answers_right_for_a_wrong_value_are_marked_as_carried() {
     let carried = |id: &str, seed, answers: &[(&str, String)]| -> Vec<Vec<String>> {
         together(id, seed, answers).into_iter().map(|judged| judged.carried).collect()
     };
@@ -293,7 +293,7 @@ fn pixels_are_floored_and_depth_has_its_range() {
 
 /// A16.
 #[test]
-fn another_order_of_transforms_is_told_as_the_order() {
+fn another_order_of_transforms_is_recognised() {
     let m = DMat4::from_cols_array(&right("order", 31, "M").try_into().unwrap()).transpose();
     // M = T R S, so R T S has the translation R t.
     let scale = DVec3::new(m.x_axis.truncate().length(), m.y_axis.truncate().length(), m.z_axis.truncate().length());
@@ -306,7 +306,7 @@ fn another_order_of_transforms_is_told_as_the_order() {
 
 /// A17.
 #[test]
-fn vup_that_was_not_turned_is_told() {
+fn vup_that_was_not_turned_is_recognised() {
     use camera_lab::camera::{Camera, Convention, Parameters};
     let subject = exercise("pitch", 205).subject;
     let before = Camera::new(&subject.figure.camera).unwrap();
@@ -318,7 +318,7 @@ fn vup_that_was_not_turned_is_told() {
 
 /// A18, A19, A20.
 #[test]
-fn several_causes_are_all_said_the_likelier_first() {
+fn several_causes_are_listed_the_likelier_first() {
     let told = verdict("0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]");
     assert!(told.starts_with("sign|") && is_one_of(&told, "n-reversed"), "{told}");
     let said = text("0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", Lang::En);
@@ -346,7 +346,7 @@ fn one_cause_is_preferred_to_two() {
 
 /// A22.
 #[test]
-fn a_camera_returned_as_it_was_is_told_so() {
+fn a_camera_returned_as_it_was_is_recognised() {
     use camera_lab::camera::Camera;
     for id in ["elevation", "azimuth", "roll", "yaw", "pitch", "zoom", "dolly", "pan"] {
         let subject = exercise(id, 200).subject;
@@ -497,11 +497,11 @@ fn without_a_known_mistake_help_begins_at_the_first_step_that_is_wrong() {
     let alone = hints(&[("view", "[17.123, 23.456, 31.789]".to_owned()), ("clip", wrong.clone())], "clip");
     let after = hints(&[("view", view), ("clip", wrong)], "clip");
     assert!(alone.contains("The solution begins with") && after.contains("The steps before are right"), "{after}");
-    // What comes first is the sentence to keep, and the step that says it.
+    // The first is the sentence to keep, and the step that says it.
     let way = lesson_of("ndc").unwrap();
     let sentence = camera_lab_words::told(Lang::En, way.lesson.sentence.as_ref().unwrap()).trim();
     assert!(alone.starts_with(sentence) && alone.contains(&format!("step {}", way.step + 1)), "{alone}");
-    // Where nothing is known something is said.
+    // Without a known mistake there is a hint.
     for (id, name, answer) in [("1-I", "height", "7777"), ("order", "first", "rotate"), ("inside", "plane", "none")] {
         let exercise = self::exercise(id, 3);
         let ask = exercise.asks.iter().find(|ask| ask.name == name).unwrap();
@@ -510,9 +510,9 @@ fn without_a_known_mistake_help_begins_at_the_first_step_that_is_wrong() {
     }
 }
 
-/// Multiples of the right direction, and of the reversed one where **n** may be.
+/// Multiples of the right direction, and of the reversed one if **n** may be.
 #[test]
-fn directions_of_any_length_are_told() {
+fn directions_of_any_length_are_recognised() {
     let n = DVec3::from_slice(&right("basis", 200, "n"));
     for factor in [2.0, 0.37, 13.0] {
         assert_eq!(verdict("basis", 200, "n", vector(&(n * factor).to_array())), "not-normalised");
@@ -523,7 +523,7 @@ fn directions_of_any_length_are_told() {
 
 /// The four usual wrong answers to `[0]` 5.1.
 #[test]
-fn projections_and_spaces_that_are_exchanged_in_5_1_are_told() {
+fn exchanged_projections_and_spaces_in_5_1_are_recognised() {
     let root = "1/√2";
     for (name, answer, code) in [
         ("parallel_origin", "[3, 4, 0]".to_owned(), "projections-exchanged"),

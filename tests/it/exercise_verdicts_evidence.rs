@@ -1,4 +1,4 @@
-//! Verdicts on answers that look like a known mistake, or like none: what is told needs numbers that show it.
+//! Verdicts on answers that look like a known mistake, or like none: a reason needs numbers that show it.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -49,7 +49,7 @@ fn whole_pixels_are_not_rounded_and_points_have_no_length() {
 }
 
 #[test]
-fn a_lost_sign_is_told_where_an_axis_is_right_and_beside_it_otherwise() {
+fn a_lost_sign_is_named_alone_if_an_axis_is_right_else_beside_it() {
     let view = ("view", "[-1.11803,-1.36931,-3.06186]");
     let judged = typed("ndc", 303, &[view, ("clip", "[0.496904,-0.456435,-0.573023,1]")]);
     assert_eq!(judged.iter().map(told).collect::<Vec<_>>(), ["", "sign"]);
@@ -101,7 +101,7 @@ fn hints_are_those_of_the_question() {
 }
 
 #[test]
-fn shapes_and_brackets_are_told_as_they_are() {
+fn a_wrong_shape_is_named_with_the_expected_one() {
     for (lang, words) in [(Lang::En, "Expected 1 number, got 2."), (Lang::PtBr, "Esperava-se 1 número")] {
         assert!(text("window", 1, "H", "[1;2]", lang).contains(words));
     }
@@ -125,7 +125,7 @@ fn camera(text: &str) -> Result<Parameters, String> {
 }
 
 #[test]
-fn cameras_are_told_by_the_names_of_the_notes_and_read_again_to_the_last_digit() {
+fn cameras_are_written_as_in_the_notes_and_read_back_exactly() {
     let ask = &exercise("canonical-camera", 4).asks[0];
     let window = ViewWindow { left: -0.1, right: 1.0 / 3.0, bottom: -0.25, top: 0.7 };
     let odd = Parameters {
@@ -177,7 +177,7 @@ fn parameters_of_a_camera_may_stand_between_commas() {
 }
 
 #[test]
-fn a_camera_that_cannot_be_is_told_by_the_names_of_the_notes() {
+fn an_impossible_camera_is_refused_in_the_names_of_the_notes() {
     for (text, told) in [
         ("C=(0,0,2); F=0", "F must be greater than 0"),
         ("C=(0,0,2), F=-1", "F must be greater than 0"),
@@ -223,7 +223,7 @@ fn cameras_that_are_to_be_found_have_a_way() {
 
 /// B12.
 #[test]
-fn an_operation_that_the_notes_do_not_have_cites_what_it_follows_from() {
+fn an_operation_not_in_the_notes_cites_its_derivation() {
     for (id, source) in [("dolly", "[0] §5.2, (5.2)"), ("pan", "[0] §5.2, (5.3)"), ("zoom-or-dolly", "[0] §5.6, (5.5)")]
     {
         assert_eq!(entry(id).unwrap().source, source, "{id}");

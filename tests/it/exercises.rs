@@ -1,4 +1,4 @@
-//! Exercises: no right answer is refused, no known mistake is accepted, and each is told.
+//! Exercises: no right answer is refused, no known mistake is accepted, and each is named.
 
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
 
@@ -15,7 +15,8 @@ use camera_lab_words::learn::exercise_messages;
 use camera_lab_words::learn::exercises as texts;
 use camera_lab_words::learn::exercises::typed_choice;
 
-/// How many seeds of each family are tried; more by `EXERCISE_SEEDS=10000 cargo test --release --test it exercises`.
+/// The number of seeds that are tried of each family. `EXERCISE_SEEDS=10000 cargo test --release --test it exercises`
+/// tries more.
 fn seeds() -> u64 {
     std::env::var("EXERCISE_SEEDS").ok().and_then(|text| text.parse().ok()).unwrap_or(12)
 }
@@ -44,7 +45,7 @@ fn typed(table: &Table, number: impl Fn(f64) -> String) -> String {
     format!("[{}]", table.rows().map(row).collect::<Vec<_>>().join(", "))
 }
 
-/// The right answer in words, for what is not made of numbers.
+/// The right answer in words, for answers that are not made of numbers.
 fn right_word(ask: &Ask) -> Option<String> {
     match (&ask.kind, ask.expected()) {
         (Kind::Choice(choices), Expected::Choice(right, ..)) => Some(choices[*right].clone()),
@@ -106,8 +107,8 @@ fn yes_and_no_are_also_typed_as_inspect_writes_them() {
 }
 
 #[test]
-fn the_quantity_is_what_inspect_says() {
-    // Few of the cameras that make it hard are among the first; it costs little.
+fn the_quantity_agrees_with_inspect() {
+    // Few of the cameras that make it hard are among the first, and it costs little.
     all_of(10 * seeds(), |entry, exercise| {
         for ask in &exercise.asks {
             let Some(quantity) = &ask.quantity else { continue };
@@ -124,7 +125,7 @@ fn the_quantity_is_what_inspect_says() {
     });
 }
 
-/// What the notes' equations give by hand is what the camera gives.
+/// The values that the notes' equations give by hand are those of the camera.
 #[test]
 fn the_textbook_without_slips_agrees() {
     all(|entry, exercise| {
@@ -146,7 +147,7 @@ fn the_textbook_without_slips_agrees() {
     });
 }
 
-/// Where a vector has to be of length 1.
+/// Questions whose vector has to be of length 1.
 fn has_lengths(nature: Nature) -> bool {
     matches!(nature, Nature::Direction | Nature::Cosine | Nature::Light | Nature::Matrix)
 }
@@ -161,11 +162,11 @@ fn differs(ask: &Ask, wrong: &Table, right: &Table) -> bool {
 }
 
 #[test]
-fn no_known_mistake_is_accepted_and_each_is_told() {
+fn known_mistakes_are_refused_by_name() {
     let (mut told, mut triples, mut several) = (BTreeSet::new(), 0, 0);
     all_of(seeds().max(16), |entry, exercise| {
         for ask in &exercise.asks {
-            // Where there are several readings, a mistake in one may be right in another.
+            // If there are several readings, a mistake in one may be right in another.
             let Some(right) = ask.expected().table().filter(|_| ask.readings.len() == 1) else { continue };
             let of_slip = |slip: &Slip| Some((*slip, ask.expected().slipped(Slips::one(*slip))?));
             let wrong: Vec<(Slip, Table)> = Slip::ALL
@@ -186,7 +187,7 @@ fn no_known_mistake_is_accepted_and_each_is_told() {
                     .filter(|(_, numbers)| is_near(numbers, table))
                     .map(|(slip, _)| slip.mistake())
                     .collect();
-                // A length shows where it has to be 1; and that one of many was made says nothing.
+                // A wrong length shows only if it has to be 1, and that one of many was made says nothing.
                 let is_length = slip.mistake() == Mistake::NotNormalised;
                 if (is_length && !has_lengths(ask.nature)) || same.len() > 3 {
                     continue;
@@ -204,7 +205,7 @@ fn no_known_mistake_is_accepted_and_each_is_told() {
                 told.insert(found.causes[0].mistake);
                 triples += 1;
                 several += u32::from(!found.others.is_empty());
-                // Others with the same numbers are told as well, but none besides.
+                // Others with the same numbers are named as well, but none besides.
                 assert!(
                     found.causes.len() == 1 && found.mistakes().any(|told| told == slip.mistake()),
                     "{context}: {found:?}"
@@ -289,7 +290,7 @@ fn no_number_that_is_wrong_by_a_third_is_right() {
 
 /// Nothing that can be answered wrongly leaves a student without a word.
 #[test]
-fn what_no_known_mistake_explains_gets_a_hint() {
+fn unexplained_answers_get_a_hint() {
     let mut tried = 0;
     all_of(3, |entry, exercise| {
         for ask in &exercise.asks {
@@ -443,7 +444,7 @@ fn the_figures_of_the_notes_exercises_are_those_of_the_gallery_and_hold_no_answe
         let given = &exercise.subject.figure;
         assert_eq!((given.camera, given.image, &given.scene), (shown.camera, shown.image, &shown.scene), "{id}");
     }
-    // [0] 5.1 asks where the rays begin and where they go.
+    // [0] 5.1 asks for the origins of the rays and their directions.
     let rays = entry("0-5.1").unwrap().exercise(1, &Free::new());
     let scene = |figure: &camera_lab::figure::Figure| {
         let files = &mut camera_lab::scene::no_files;
@@ -464,7 +465,7 @@ fn the_figures_of_the_notes_exercises_are_those_of_the_gallery_and_hold_no_answe
 
 /// B14.
 #[test]
-fn statements_say_where_the_notes_have_it_otherwise() {
+fn statements_name_differences_from_the_notes() {
     for (id, en, pt) in [
         ("yaw", "exchanges the axes of yaw and pitch", "troca os eixos de guinada e arfagem"),
         ("pitch", "exchanges the axes of yaw and pitch", "troca os eixos de guinada e arfagem"),

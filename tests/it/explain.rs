@@ -45,7 +45,7 @@ fn figure(bench: &Bench, rest: &str) {
 }
 
 #[test]
-fn every_stage_is_told_in_the_order_of_the_notes() {
+fn stages_are_listed_in_the_order_of_the_notes() {
     let bench = Bench::new("explain-order");
     figure(&bench, "");
     for view in ["world", "canonical", "image"] {
@@ -113,7 +113,7 @@ fn a_cube_is_counted_as_by_hand() {
 }
 
 #[test]
-fn each_object_is_told_what_becomes_of_it() {
+fn each_object_has_its_outcome_and_reason() {
     let bench = Bench::new("explain-objects");
     let ball = |name: &str, x: i32| {
         format!("[[scene.objects]]\nname = \"{name}\"\nshape = \"sphere\"\ntranslate = [{x}, 0, 0]\n")
@@ -153,7 +153,7 @@ fn forced_stages_all_run() {
 }
 
 #[test]
-fn the_table_says_what_is_left_out_and_why_in_both_languages() {
+fn the_table_lists_the_skipped_stages_and_why_in_both_languages() {
     let bench = Bench::new("explain-table");
     figure(&bench, "");
     let table = |lang: &str| {
@@ -171,7 +171,7 @@ fn the_table_says_what_is_left_out_and_why_in_both_languages() {
 }
 
 #[test]
-fn a_bench_measures_what_it_was_asked_for() {
+fn a_bench_reports_the_requested_view_size_and_frames() {
     let bench = Bench::new("bench-json");
     figure(&bench, "[scene]\npreset = \"cube\"");
     for (view, size, [width, height]) in [("image", None, [64, 48]), ("all", Some("200x50"), [200, 50])] {

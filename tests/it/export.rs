@@ -30,7 +30,7 @@ fn the_chunk_is_the_file_itself() {
 }
 
 #[test]
-fn what_the_arguments_change_goes_into_the_picture() {
+fn changes_by_arguments_go_into_the_picture() {
     let bench = Bench::new("changed");
     bench.write("figure.toml", FIGURE);
     let changes = ["--op", "azimuth=30", "--op", "zoom=1.5", "--theme", "dark"];

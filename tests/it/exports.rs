@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::common::program::Bench;
 use crate::vectors::{SIZE, bench_with_fonts, drawn, has, printed, request, sheet, svg_of, written};
 
-/// Two boxes, one before the other, a glass ball, and one out of sight; the window is oblique, and the near plane cuts.
+/// Two boxes, one before the other, a glass ball, and one out of sight. The window is oblique, and the near plane cuts.
 const SCENE: &str = "[camera]\nposition = [0, 1.5, 6]\nnear = 3.4\nfar = 20\n[camera.window]\nleft = -1.2\nright = 1\n\
     bottom = -0.8\ntop = 0.8\n[[scene.objects]]\nname = \"close\"\nshape = \"box\"\ntranslate = [0, 0, 2]\n\
     scale = [0.5, 0.5, 0.5]\ncolor = \"#cc2222\"\n[[scene.objects]]\nname = \"wide\"\nshape = \"box\"\n\
@@ -22,12 +22,12 @@ const SCENE: &str = "[camera]\nposition = [0, 1.5, 6]\nnear = 3.4\nfar = 20\n[ca
     [[scene.objects]]\nname = \"written\"\nshape = \"box\"\ntranslate = [-1.6, 0.9, 1]\nscale = [0.5, 0.5, 0.5]\n\
     texture = \"letters\"\n[[scene.lights]]\nkind = \"directional\"\nshadows = true\ndirection = [-1, -2, -1.5]\n";
 
-/// The same without what makes the faces of a page one picture.
+/// The same without the options that make the faces of a page one picture.
 fn plain(text: &str) -> String {
     text.replace("shadows = true\n", "").replace("texture = \"letters\"\n", "")
 }
 
-/// The formats in which a figure is not the picture that its pixels are; `faces`: how those of a page are written.
+/// The formats in which a figure is not the picture that its pixels are. `faces`: how those of a page are written.
 fn differing(text: &str, view: View, faces: Faces, bench: &Bench) -> Vec<String> {
     let figure = parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
     let sheet = sheet(&figure, Views::One(view), &request(&figure, SIZE));

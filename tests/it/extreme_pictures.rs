@@ -77,14 +77,14 @@ fn nothing_is_blank_nan_or_crowded_past_reading() {
 }
 
 #[test]
-fn the_world_has_the_camera_and_names_what_it_shows() {
+fn the_world_shows_the_camera_and_names_its_parts() {
     for figure in extreme() {
         let drawing = drawing(figure, View::World, Lang::En);
         let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
         for wanted in ["C", "PF", "u", "v", "n", "VUP", "DOP"] {
             assert!(texts.contains(&wanted), "{}: {wanted} is not in {texts:?}", figure.name);
         }
-        // The scene, or the ring where it is too small.
+        // The scene, or the ring if it is too small.
         let c = drawing.labels.iter().find(|label| label.text == "C").unwrap();
         assert!((0.0..400.0).contains(&c.position[0]) && (0.0..300.0).contains(&c.position[1]), "{}", figure.name);
         let speck = ["narrow-angle", "large-distance", "aside"].contains(&figure.name);
@@ -101,9 +101,9 @@ fn around(drawing: &Drawing, color: Rgba) -> [[f32; 2]; 2] {
     })
 }
 
-/// The share of the picture's width or height that the volume has; panics where it leaves the picture.
+/// The share of the picture's width or height that the volume has. Panics if it leaves the picture.
 fn share_of_the_volume(drawing: &Drawing, what: &str) -> f32 {
-    // Strokes end where they leave the picture.
+    // Strokes end at the border of the picture.
     let [least, most] = around(drawing, Palette::of(Theme::Light).volume_edge);
     let inside = least[0] > 2.0 && least[1] > 2.0 && most[0] < 398.0 && most[1] < 298.0;
     assert!(inside, "{what}: the volume is at {least:?} to {most:?}");
@@ -124,7 +124,7 @@ fn the_world_frames_the_volume_however_thin_deep_wide_or_far_it_is() {
             assert!((0.2..0.95).contains(&share_of_the_volume(&drawing, &what)), "{what}");
             let named = |start: &str| drawing.labels.iter().any(|label| label.text.starts_with(start));
             assert!(named("window (F = ") && named("far (B = "), "{what}");
-            // And what is near C has room: camera and table are a quarter of the picture.
+            // And the objects near C have room: camera and table are a quarter of the picture.
             let table = drawing.surfaces.iter().filter(|s| s.depth_test && !s.translucent).flat_map(|s| &s.positions);
             let [least, most] = table.fold([f32::MAX, f32::MIN], |[a, b], p| [a.min(p[0]), b.max(p[0])]);
             assert!(most - least > 100.0, "{what}: {least} to {most}");

@@ -93,7 +93,7 @@ fn a_series_has_one_observer_who_has_every_camera_in_the_picture() {
         bench.run(&[&azimuths[..], more, &["-o", name]].concat()).done();
         picture(&bench, name).data().to_vec()
     };
-    // Without an observer the camera is where it was, and the cube has turned.
+    // Without an observer the camera stays in its place, and the cube has turned.
     let own = with(&["--op", "azimuth=90"], "own.png");
     let series = with(&["--op", "azimuth=90", "--observer-of", "figure.toml"], "series.png");
     assert_ne!(own, series);
@@ -164,7 +164,7 @@ fn captions_say_the_value_in_the_words_of_the_language_and_parts_have_letters() 
 }
 
 #[test]
-fn what_cannot_be_varied_is_told_by_key_value_and_range_and_nothing_is_written() {
+fn impossible_variations_are_refused_by_key_value_and_range() {
     let bench = bench("families-refusals");
     let many = format!("azimuth={}", (0..65).map(|k| k.to_string()).collect::<Vec<_>>().join(","));
     for (arguments, parts) in [

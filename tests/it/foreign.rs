@@ -60,7 +60,7 @@ fn has_pose(camera: &Value, expected: &Value, tolerance: f64, worlds: &Value) ->
     })
 }
 
-/// What is wrong with one expectation.
+/// The mismatch with one expectation.
 fn fault(check: &Value, run: &Run, tree: &Value) -> Option<String> {
     let said = || format!("{}{}", String::from_utf8_lossy(&run.out), run.err);
     if let Some(status) = check["rc"].as_i64() {

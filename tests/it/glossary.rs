@@ -126,7 +126,7 @@ fn has(text: &str, term: &str) -> bool {
 }
 
 #[test]
-fn texts_say_what_the_glossary_says() {
+fn texts_use_the_terms_of_the_glossary() {
     let rows = rows();
     assert!(rows.len() >= 40, "{}", rows.len());
     let figures = ["assets/figures", "assets/figures/pipeline", "assets/figures/extreme", "docs/figures"]
@@ -149,7 +149,7 @@ fn texts_say_what_the_glossary_says() {
         .flat_map(|(folder, ends)| files(folder, ends))
         .chain(files_below("crates/words/src", ".rs"))
         .chain(files_below("assets/words", ".toml"))
-        // The words of other books are what the search is for.
+        // The words of other books are those that the search is for.
         .filter(|path| !path.ends_with("window/search.rs"))
         .map(|path| (path.clone(), fs::read_to_string(path).unwrap().to_lowercase()))
         .chain(figures)

@@ -1,4 +1,4 @@
-//! What the guides say, against the program.
+//! The guides' statements, compared with the program.
 
 use std::collections::BTreeSet;
 
@@ -39,7 +39,7 @@ fn table<'a>(guide: &'a str, heading: &str) -> Vec<Vec<&'a str>> {
     rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect()).collect()
 }
 
-/// What a turn changes, about which axis and through which point, in the words of the table: from what it does to a
+/// The axis of a turn, its fixed point and the values it changes, in the words of the table: from its effect on a
 /// camera.
 fn done(freedom: Freedom, lang: Lang) -> [String; 3] {
     let before = camera(|p| {
@@ -64,7 +64,7 @@ fn done(freedom: Freedom, lang: Lang) -> [String; 3] {
 }
 
 #[test]
-fn the_table_of_operations_is_what_operations_do() {
+fn the_table_of_operations_agrees_with_the_operations() {
     for (lang, guide, heading) in STUDENT {
         let t = window::texts(lang);
         let name = |freedom| match freedom {
@@ -224,7 +224,7 @@ fn every_image_is_shown_on_a_page_and_every_page_has_its_images() {
 /// Each picture holds its figure, which can be opened.
 #[cfg(unix)]
 #[test]
-fn the_figures_of_the_guides_can_be_drawn_anew() {
+fn the_figures_of_the_guides_can_be_redrawn() {
     let script = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/pictures.sh");
     let bench = Bench::new("guide-figures");
     let figures = ["pipeline-depth.pt-BR.png", "points.en.svg"];

@@ -1,4 +1,4 @@
-//! Files of strangers: what they may say in a message, what they may reach, and how much they may cost.
+//! Files of strangers: limits on their messages, on the files they reach, and on their cost.
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use crate::common::program::{Bench, Run};
@@ -27,7 +27,7 @@ fn is_harmless(message: &str) {
 }
 
 #[test]
-fn what_strangers_write_reaches_no_terminal_raw_or_at_full_length() {
+fn foreign_text_reaches_no_terminal_raw_or_at_full_length() {
     let bench = Bench::new("foreign-text");
     let escape = "\u{1b}[31mEVIL\u{1b}[2J\u{202e}";
     let long = "x".repeat(100_000);
@@ -133,7 +133,7 @@ fn a_mesh_reaches_nothing_outside_of_its_folder_unless_the_user_lets_it() {
         }
         bench.run(&["inspect", "figures/figure.toml", "--allow-files"]).done();
     }
-    // Another machine is never asked, and what is not there cannot be told from what is.
+    // Another machine is never asked, and a missing file gives the same message as an existing one.
     for (uri, part) in [
         ("//host/points.bin", "another machine"),
         ("\\\\\\\\host\\\\x", "another machine"),
@@ -213,7 +213,7 @@ fn devices_and_pipes_are_refused_wherever_they_are_named() {
 }
 
 #[test]
-fn what_a_figure_names_has_one_budget_and_the_same_file_counts_once() {
+fn files_named_by_a_figure_share_a_budget_and_count_once_each() {
     let bench = Bench::new("budget");
     let points = gltf("", 1).1;
     // 200 MiB that take no room on the disk.
@@ -236,9 +236,9 @@ fn what_a_figure_names_has_one_budget_and_the_same_file_counts_once() {
     }
 }
 
-/// What nobody typed is not repeated: who opens a link knows which.
+/// A message does not repeat the link, which no user typed. It names the figure in the link.
 #[test]
-fn what_is_wrong_with_a_link_is_said_of_the_figure_in_it() {
+fn errors_in_a_link_name_the_figure_in_it() {
     let bench = Bench::new("link-faults");
     let link = |text: &str| {
         camera_lab_files::share::link("https://example.org/lab/", camera_lab_files::share::Held::Figure, text).unwrap()

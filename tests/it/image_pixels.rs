@@ -1,5 +1,5 @@
-//! The image picture is the m × n image of (5.22): what `inspect` says of a point's pixel holds in the PNG, even if
-//! A ≠ m / n.
+//! The image picture is the m × n image of (5.22): the pixel that `inspect` gives for a point is its pixel in the PNG,
+//! even if A ≠ m / n.
 
 use std::io::Cursor;
 
@@ -33,7 +33,7 @@ fn figure(camera: &str, image: &str, objects: &str) -> String {
     )
 }
 
-/// The middle of what is red, in pixels.
+/// The middle of the red area, in pixels.
 fn red_middle((width, _, rgb): &Pixels) -> [f64; 2] {
     let (mut sum, mut count) = ([0.0; 2], 0.0);
     for (i, p) in rgb.iter().enumerate() {

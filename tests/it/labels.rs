@@ -85,7 +85,7 @@ fn labels_are_hidden_renamed_moved_and_styled_and_notes_are_added() {
 }
 
 #[test]
-fn labels_stay_with_what_they_name_when_the_camera_moves() {
+fn labels_stay_with_their_objects_when_the_camera_moves() {
     let text = |position: &str| format!("{}{LABELS}", FIGURE.replace("near", &format!("position = {position}\nnear")));
     let mut places = Vec::new();
     for position in ["[3, 4, 5]", "[-4, 3, 4]"] {
@@ -149,7 +149,7 @@ fn names_are_the_same_in_both_languages() {
 }
 
 #[test]
-fn a_name_that_no_label_has_is_told_with_the_one_that_was_meant_and_those_of_the_pictures_are_known() {
+fn unknown_label_names_get_a_suggestion_and_all_drawn_labels_are_known() {
     let shipped = camera_lab_files::SHIPPED_FIGURES.iter().map(|figure| figure.text());
     for text in shipped {
         let Ok(figure) = parse(&text) else { continue };
@@ -194,12 +194,12 @@ fn lines_of_a_legend_are_hidden_renamed_and_styled_and_the_legend_moves_as_a_who
         // A line less, so that the others begin lower.
         let lower = place(&changed, "legend:Z-near").center.y - place(&own, "legend:Z-near").center.y;
         assert!((after.center - before.center).abs_diff_eq(DVec2::new(2.0 * after.em, lower), 0.01), "{name}");
-        // What is said of its place is what a drag of it begins with.
+        // Its reported place is the one that a drag of it begins with.
         assert!(after.moved_to(after.center).abs_diff_eq(DVec2::new(2.0, 3.0), 0.011), "{name} {after:?}");
     }
     let none = drawing(&format!("{FIGURE}{DEPTH}[labels]\nhidden = [\"legend\"]\n"), View::Image);
     assert!(none.areas.is_empty() && legend.iter().all(|name| label(&none, name).is_none()));
-    // Farther than the picture reaches, it stays in it; twice as large, its lines do not run into each other.
+    // Farther than the picture reaches, it stays in it. Twice as large, its lines do not run into each other.
     let far = "[[labels.moved]]\nname = \"legend\"\nby = [1000, 1000]\n\
         [[labels.styled]]\nname = \"legend:depth\"\nsize = 2\n";
     let far = drawing(&format!("{FIGURE}{DEPTH}{far}"), View::Image);
@@ -211,7 +211,7 @@ fn lines_of_a_legend_are_hidden_renamed_and_styled_and_the_legend_moves_as_a_who
 }
 
 #[test]
-fn a_line_of_a_legend_that_is_dragged_takes_the_legend_along_and_automatic_again_brings_it_back() {
+fn a_dragged_line_of_a_legend_takes_it_along_and_automatic_undoes_it() {
     let mut labels = parse(FIGURE).unwrap().labels;
     labels.move_to("legend:depth", View::Image, DVec2::X);
     labels.move_to("legend:nothing", View::Image, DVec2::Y);
@@ -223,7 +223,7 @@ fn a_line_of_a_legend_that_is_dragged_takes_the_legend_along_and_automatic_again
 }
 
 #[test]
-fn what_a_stage_says_is_the_authors_too() {
+fn labels_of_a_stage_can_be_changed_too() {
     let figure = FIGURE.replace("cube", "house");
     let stage = |stage: &str, view: &str| format!("{figure}[show]\nstage = \"{stage}\"\nstage_of = \"{view}\"\n");
     for (name, shown, view) in [
@@ -273,7 +273,7 @@ fn the_labels_of_both_sides_of_a_comparison_are_the_authors() {
         let after = labels(&format!("{text}{own}"));
         assert!(of(&after, "side:1").is_empty());
         assert_eq!(of(&after, "side:2")[0].text, "narrow");
-        // Each side has its own; of one picture behind a wiper, what is seen.
+        // Each side has its own labels. Behind a wiper, only the visible ones of one picture are there.
         let middles: Vec<f64> = of(&before, "C").iter().map(|label| label.center.x).collect();
         if layout == "beside" {
             assert!(middles.len() == 2 && middles[0] < 320.0 && middles[1] > 320.0, "{middles:?}");

@@ -98,7 +98,7 @@ fn word(text: &str) -> &str {
     &text[..end]
 }
 
-/// A path as it is written: `super::a::{b, c}` is two. Only those that begin with `crate`, `super` or `self`.
+/// A path as it is written: `super::a::{b, c}` is two. Only paths that begin with `crate`, `super` or `self`.
 type Names = Vec<String>;
 
 /// Every path of a program text that begins with `crate`, `super` or `self`, braces multiplied out.
@@ -115,7 +115,7 @@ fn paths(code: &str) -> Vec<Names> {
     found
 }
 
-/// Reads one branch of a tree of paths; gives back how many bytes it takes.
+/// Reads one branch of a tree of paths. Returns how many bytes it takes.
 fn tree(text: &str, above: &Names, found: &mut Vec<Names>) -> usize {
     let mut path = above.clone();
     let mut at = 0;
@@ -134,7 +134,7 @@ fn tree(text: &str, above: &Names, found: &mut Vec<Names>) -> usize {
                     return text.len() - list.len() + 1;
                 }
                 let taken = tree(list, &path, found);
-                // What is neither name nor brace, such as `as other` or `*`, is passed over.
+                // Text that is neither name nor brace, such as `as other` or `*`, is passed over.
                 let rest = &list[taken..];
                 list = &rest[rest.find([',', '}']).unwrap_or(rest.len())..];
             }
@@ -147,7 +147,7 @@ fn tree(text: &str, above: &Names, found: &mut Vec<Names>) -> usize {
     at
 }
 
-/// The module that a file is: `scene/obj.rs` is scene, obj; `scene/mod.rs` is scene.
+/// The module of a file: `scene/obj.rs` is scene, obj, and `scene/mod.rs` is scene.
 fn module_of(path: &str) -> Names {
     let names = path.trim_end_matches(".rs").split('/').filter(|name| *name != "mod");
     names.map(str::to_owned).collect()
@@ -218,7 +218,7 @@ fn sources(folder: &str) -> Vec<(String, String)> {
 
 /// An unused permission is a fault too.
 #[test]
-fn modules_use_what_the_table_allows_and_nothing_else() {
+fn modules_use_only_the_imports_that_the_table_allows() {
     let mut faults = Vec::new();
     for (folder, table) in CRATES {
         let mut unused: BTreeSet<(&str, &str)> =
@@ -248,7 +248,7 @@ fn modules_use_what_the_table_allows_and_nothing_else() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// A feature of the window uses what serves every feature, and never another feature or everything the window knows.
+/// A feature of the window uses the modules that serve every feature, and never another feature or the whole window.
 #[test]
 fn features_of_the_window_do_not_use_each_other() {
     let mut faults = Vec::new();

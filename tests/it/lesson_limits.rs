@@ -45,7 +45,7 @@ fn a_lesson_reads_files_of_its_folder_only_and_one_in_a_link_none() {
     let inside = whole(&step_with("shape = \"mesh\"\npath = \"meshes/inside.obj\""));
     bench.write("course/l.toml", &inside);
     bench.run(&["lesson", "check", "course/l.toml"]).done();
-    // The link has no folder, even where the program runs beside the mesh.
+    // The link has no folder, even if the program runs beside the mesh.
     let link = share::link("", share::Held::Lesson, &inside.replace("meshes/", "course/meshes/")).unwrap();
     let refused = bench.run(&["lesson", "check", &link]);
     assert!(refused.status == Some(2) && refused.err.contains("the lesson in the link"), "{}", refused.err);
@@ -64,7 +64,7 @@ fn a_missing_texture_is_a_fault_of_the_lesson() {
 }
 
 #[test]
-fn goals_that_nobody_can_reach_and_too_many_conditions_are_refused() {
+fn unreachable_goals_and_too_many_conditions_are_refused() {
     let bench = Bench::new("lesson-goals");
     let goal = |until: &str| {
         lesson(&format!(

@@ -50,7 +50,7 @@ message = "It is."
 "#;
 
 #[test]
-fn a_step_has_all_of_the_steps_before_but_what_it_changes() {
+fn a_step_keeps_all_of_the_steps_before_except_its_changes() {
     let lesson = parse(LESSON).unwrap();
     let [one, two] = &lesson.steps[..] else { panic!("two steps") };
     assert_eq!((one.figure.camera.near, two.figure.camera.near), (1.0, 2.0));
@@ -100,7 +100,7 @@ fn with_goal(condition: &str) -> String {
 }
 
 #[test]
-fn goals_are_about_what_is_seen_about_numbers_and_about_every_key_of_the_figure() {
+fn goals_are_about_visibility_numbers_and_every_key_of_the_figure() {
     let mut seen = Seen::default();
     for (condition, way) in [
         ("key = \"style.visibility\"\nis = \"painter\"", &["style.visibility=painter"][..]),
@@ -166,7 +166,7 @@ fn the_lessons_of_the_guides_are_good() {
         let (_, section) = text.split_once(heading).unwrap();
         let (_, example) = section.split_once("```toml\n").unwrap();
         let (example, _) = example.split_once("```").unwrap();
-        // The first two steps show all that a step may say; `show.measure` is of nobody there.
+        // The first two steps show all that a step may say. No step before has `show.measure`.
         let lesson =
             parse(&example.replace("without = [\"show.measure\"]", "")).unwrap_or_else(|e| panic!("{guide}: {e}"));
         assert_eq!(lesson.steps.len(), 3);
@@ -280,7 +280,7 @@ fn every_exercise_is_reached_by_a_lesson_and_knows_it() {
         assert!(asks || links, "{}: {} {}", entry.id, way.lesson.id, way.step);
     }
     assert!(lesson_of("question-0").is_none());
-    // What is asked before, in and after a lesson has different numbers.
+    // Questions before, in and after a lesson have different numbers.
     for lesson in shipped().iter().map(|shipped| &shipped.lesson) {
         assert!(lesson.plan.is_some() && lesson.pretest.len() == 3 && lesson.posttest.len() == 3, "{}", lesson.id);
         let asked = lesson.steps.iter().filter_map(|step| match &step.task {

@@ -38,7 +38,7 @@ fn every_command_has_a_page_and_is_completed() {
 }
 
 #[test]
-fn what_cannot_be_written_is_named() {
+fn a_manual_that_cannot_be_written_names_the_folder() {
     let bench = Bench::new("no-manual");
     bench.write("file", "x");
     assert!(bench.run(&["manual", "file"]).refused(1).contains("file"));

@@ -1,4 +1,4 @@
-//! A picture says where rounding puts vertices beside their places.
+//! A picture marks the vertices that rounding puts beside their places.
 
 #![expect(clippy::unwrap_used, reason = "tests")]
 
@@ -51,7 +51,7 @@ fn whole(x: f64) -> i64 {
 #[test]
 fn a_vertex_that_is_drawn_beside_its_place_is_named() {
     let frame = drawn(&figure(1e-14), View::Image);
-    // The place by whole numbers, and where it was drawn: the one corner that is not cut.
+    // The place by whole numbers, and the place in the drawing: of the one corner that is not cut.
     let aside = whole(1.1) - whole(1.0) - whole(0.1);
     let exact = 250.0 + 250.0 * (aside as f64 / 2_f64.powi(60)) / 5e-15;
     let OverBudget::Rounding { vertices } = frame.over_budget.unwrap() else { panic!("rounding") };
@@ -70,7 +70,7 @@ fn a_vertex_that_is_drawn_beside_its_place_is_named() {
 
 #[test]
 fn a_window_so_wide_that_nothing_is_lost_says_nothing() {
-    // What are 4.2 pixels in a window of 1e-14 is a fifth of a pixel in this one: looked at, and allowed.
+    // An error of 4.2 pixels in a window of 1e-14 is a fifth of a pixel in this one: examined, and allowed.
     assert!(drawn(&figure(2e-13), View::Image).over_budget.is_none());
     assert!(drawn(&figure(1e-11), View::Image).over_budget.is_none());
     // The other pictures are seen by other cameras.

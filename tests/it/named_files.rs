@@ -74,7 +74,7 @@ fn an_image_carries_its_files_wherever_it_goes() {
         assert_eq!(repaired.status, Some(0), "{}", repaired.err);
         fs::remove_file(bench.path(&image)).unwrap();
         pixels(&bench, &format!("far/{ending}.toml"));
-        // What it carries comes before files of the same name.
+        // The files it carries come before files of the same name.
         fs::write(bench.path("far/m.obj"), "v 0 0 0\n").unwrap();
         assert_eq!(pixels(&bench, "far/again.png"), own, "{ending}");
         fs::remove_file(bench.path("far/m.obj")).unwrap();

@@ -1,5 +1,5 @@
-//! Conventions of NDC: the matrices of each against glam, against what GLM, three.js and VTK print, and against 512
-//! bits; where near, far and the corners land; the way back; the far plane that goes to infinity.
+//! Conventions of NDC: the matrices of each compared with glam, with the output of GLM, three.js and VTK, and with 512
+//! bits. Also the places of near, far and the corners, the way back, and the far plane that goes to infinity.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -26,7 +26,7 @@ fn spaces(camera: &Camera) -> impl Iterator<Item = ClipSpace<'_>> {
     Ndc::ALL.into_iter().filter_map(|ndc| camera.clip_space(ndc).ok())
 }
 
-/// Entries that differ by no more than some ε of themselves, or of a greatest entry where what cancels was rounded
+/// Entries that differ by no more than some ε of themselves, or of a greatest entry if cancelling terms were rounded
 /// before.
 #[track_caller]
 fn assert_near(found: DMat4, expected: DMat4, relative: f64, absolute: f64, what: &str) {
@@ -68,7 +68,7 @@ fn the_default_is_the_notes() {
     }
 }
 
-/// glam's functions for the same convention; `None` if it has none.
+/// glam's functions for the same convention, or `None` if it has none.
 fn glam(camera: &Camera, ndc: Ndc) -> Option<DMat4> {
     let ViewWindow { left, right, bottom, top } = camera.window();
     let (near, far) = (camera.near(), camera.far());
@@ -257,12 +257,12 @@ fn the_matrices_are_those_that_other_libraries_print() {
     ];
     for (library, camera, name, rows) in all.concat() {
         let found = camera.clip_space(ndc(name)).unwrap().clip_from_view();
-        // VTK makes its (0, 1) and (1, 0) from (−1, 1): what cancels is rounded to ε of 1.
+        // VTK makes its (0, 1) and (1, 0) from (−1, 1): cancelling terms are rounded to ε of 1.
         assert_near(found, from_rows(rows), 4.0, f64::EPSILON / 2.0, &format!("{library}, {name}"));
     }
 }
 
-/// The rows Z and Y of M_p from z₀ (at F), z₁ (at B) and the direction of y, in 512 bits; with an infinite far plane,
+/// The rows Z and Y of M_p from z₀ (at F), z₁ (at B) and the direction of y, in 512 bits. With an infinite far plane,
 /// its limits.
 fn in_512_bits(p: &Parameters, ndc: Ndc) -> [[f64; 4]; 4] {
     let mut matrix = chain::projection_matrix::<Reference>(p);
@@ -280,7 +280,7 @@ fn in_512_bits(p: &Parameters, ndc: Ndc) -> [[f64; 4]; 4] {
     if ndc.y_points_down() {
         matrix.0[1] = matrix.0[1].clone().map(|entry| -entry);
     }
-    // What is left of an exact zero after 512 bits is zero.
+    // The rounding error of an exact zero after 512 bits is zero.
     matrix.0.map(|row| row.map(|x| if x.to_f64().abs() < 1e-140 { 0.0 } else { x.to_f64() }))
 }
 
@@ -292,7 +292,7 @@ fn check(camera: &Camera) -> Result<(), TestCaseError> {
         let found = rows(space.clip_from_view());
         let exact = in_512_bits(camera.parameters(), space.ndc());
         for (a, b) in found.iter().flatten().zip(exact.iter().flatten()) {
-            // The last bit may go the other way where the reference rounds twice.
+            // The last bit may go the other way if the reference rounds twice.
             prop_assert!((a - b).abs() <= f64::EPSILON * b.abs(), "{name}: {found:?} is not {exact:?}");
         }
         lands(camera, &space)?;
@@ -318,7 +318,7 @@ fn lands(camera: &Camera, space: &ClipSpace<'_>) -> Result<(), TestCaseError> {
             prop_assert!((p.x - expected[0]).abs() <= slack(w.left, w.right), "{}: {p}", ndc.name());
             prop_assert!((p.y - expected[1]).abs() <= slack(w.bottom, w.top), "{}: {p}", ndc.name());
             if ndc.infinite && distance == far {
-                // Short of the far depth by what is left behind B: (z₁ − z₀) F/B.
+                // Short of the far depth by the part that is left behind B: (z₁ − z₀) F/B.
                 let expected = at_far - (at_far - at_near) * (near / far);
                 prop_assert!((p.z - expected).abs() <= 4.0 * f64::EPSILON, "{}: {p}", ndc.name());
             } else {
@@ -329,7 +329,7 @@ fn lands(camera: &Camera, space: &ClipSpace<'_>) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// The inverse, in closed form, times the matrix is 1 in 512 bits, each entry within what rounding both has left.
+/// The inverse, in closed form, times the matrix is 1 in 512 bits, each entry within the rounding of both.
 fn round_trip(space: &ClipSpace<'_>) -> Result<(), TestCaseError> {
     let (columns, back) = (space.clip_from_view().to_cols_array_2d(), rows(space.view_from_clip()));
     for (i, row) in back.iter().enumerate() {
@@ -351,12 +351,12 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 192, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn near_far_and_corners_land_where_they_must_and_come_back(camera in any_camera()) {
+    fn near_far_and_corners_land_on_the_box_and_come_back(camera in any_camera()) {
         check(&camera)?;
     }
 
     #[test]
-    fn what_does_not_depend_on_the_convention_is_the_same(camera in any_camera(), along in -0.5..1.5, x in -1.5..1.5, y in -1.5..1.5) {
+    fn view_window_and_pixel_are_the_same_in_every_convention(camera in any_camera(), along in -0.5..1.5, x in -1.5..1.5, y in -1.5..1.5) {
         let corners = camera.volume_corners();
         let [near, far]: [DVec3; 2] = [0, 4].map(|first| {
             let [a, b, d] = [corners[first], corners[first + 1], corners[first + 3]];
@@ -385,7 +385,7 @@ proptest! {
 }
 
 #[test]
-fn what_goes_to_infinity_is_approached() {
+fn a_growing_far_distance_approaches_the_infinite_matrix() {
     for name in ["opengl", "opengl-reversed", "direct3d", "vulkan", "webgpu-reversed"] {
         let finite = ndc(name);
         let limit = Ndc { infinite: true, ..finite };
@@ -395,7 +395,7 @@ fn what_goes_to_infinity_is_approached() {
             let [forth, back] = [(a.clip_from_view() - b.clip_from_view()), (a.view_from_clip() - b.view_from_clip())];
             [forth, back].map(|m| m.to_cols_array().into_iter().fold(0.0_f64, |most, x| most.max(x.abs())))
         };
-        // As F/B; the limit itself does not depend on B.
+        // As F/B. The limit itself does not depend on B.
         for far in [1e3, 1e6, 1e9] {
             for off in off(far) {
                 assert!(off > 0.1 / far && off < 4.0 / far, "{name}, B = {far}: {off}");

@@ -31,7 +31,7 @@ fn both_languages_have_the_same_notes_in_words_of_their_own() {
     for (en, pt) in english.iter().zip(portuguese) {
         assert_eq!(en.id, pt.id);
         assert!(ids.insert(en.id), "{} stands twice", en.id);
-        // Equations, places and links need no translation; as many errata are told.
+        // Equations, places and links need no translation. Both have as many errata.
         assert_eq!((&en.equations, en.source, &en.links), (&pt.equations, pt.source, &pt.links), "{}", en.id);
         assert_eq!(en.errata.len(), pt.errata.len(), "{}", en.id);
         for note in [en, pt] {
@@ -126,7 +126,7 @@ fn every_symbol_operation_step_stage_and_equation_has_a_note_of_its_kind() {
 }
 
 #[test]
-fn the_errata_of_the_notes_are_told_where_they_matter() {
+fn notes_have_their_errata_beside_them() {
     let told = |lang, id: &str, words: &[&str]| {
         let note = note(lang, id).unwrap_or_else(|| panic!("{id}"));
         let errata: String = note.errata.iter().flatten().map(|piece| format!("{piece:?}")).collect();

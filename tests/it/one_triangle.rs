@@ -1,5 +1,5 @@
-//! One triangle step by step: outcodes, cuts, what is left, its pixels and its depth tests, against numbers reckoned by
-//! hand.
+//! One triangle step by step: outcodes, cuts, the clipped polygon, its pixels and its depth tests, against numbers
+//! reckoned by hand.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -17,7 +17,7 @@ use camera_lab::views::{Request, SharedScene, Size, View};
 use camera_lab_words::{Lang, pictures::labels};
 use glam::{DMat4, DVec3};
 
-/// At the origin, looking along −z; window ±1 on F = 1, B = 9: the planes are |x| = d, |y| = d.
+/// At the origin, looking along −z. The window is ±1 on F = 1, and B = 9, so the planes are |x| = d, |y| = d.
 fn eye() -> Camera {
     Camera::new(&Parameters {
         position: DVec3::ZERO,
@@ -49,7 +49,7 @@ const IMAGE: Target = Target { width: 64, height: 64, scale: 1.0, background: Rg
 
 #[test]
 fn a_corner_behind_the_eye_is_cut_off_at_the_near_plane() {
-    // Behind the eye at (0, 0, 1); the object is moved by 1 along x.
+    // Behind the eye at (0, 0, 1). The object is moved by 1 along x.
     let triangle = [[-2.0, 0.0, -2.0], [0.0, 0.0, -2.0], [-1.0, 0.0, 1.0]];
     let steps = one_triangle(&object("t", &[triangle], DMat4::from_translation(DVec3::X)), 0, &eye(), IMAGE).unwrap();
     assert_eq!(steps.corners.map(|c| c.local.to_array()), triangle);
@@ -75,7 +75,7 @@ fn a_corner_behind_the_eye_is_cut_off_at_the_near_plane() {
 }
 
 #[test]
-fn what_is_outside_of_one_plane_is_dropped_without_a_cut_and_what_is_inside_stays() {
+fn triangles_outside_one_plane_are_dropped_uncut_and_inner_ones_stay() {
     let outside = [[10.0, 0.0, -2.0], [11.0, 0.0, -2.0], [10.0, 1.0, -2.0]];
     let inside = [[0.0, 0.0, -2.0], [1.0, 0.0, -2.0], [0.0, 1.0, -2.0]];
     let object = object("t", &[outside, inside], DMat4::IDENTITY);
@@ -120,7 +120,7 @@ fn it_covers_the_pixels_whose_centres_lie_in_it() {
 }
 
 #[test]
-fn the_nearer_one_is_kept_and_the_buffer_holds_what_was_drawn_before() {
+fn the_nearer_one_is_kept_and_the_buffer_holds_earlier_objects() {
     let at = |d: f64| [[-d, -d, -d], [d, -d, -d], [0.0, d, -d]];
     let objects = [2.0, 4.0, 3.0].map(|d| object(&format!("at {d}"), &[at(d)], DMat4::IDENTITY));
     let request = request(objects.to_vec());

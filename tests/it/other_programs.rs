@@ -1,4 +1,4 @@
-//! Matrices that other programs recorded, recognised and read; each names its source.
+//! Matrices that other programs recorded, recognised and read. Each names its source.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -116,13 +116,13 @@ fn the_camera_of_blenders_default_scene() {
             && found.best().found.unknown.contains(&Unknown::Lens)
     );
     let camera = camera_of(&found);
-    // Location 7.3589, -6.9258, 4.9583; rotation 63.559°, 0°, 46.692°, as its panel shows them; y is up here.
+    // Location 7.3589, -6.9258, 4.9583, rotation 63.559°, 0°, 46.692°, as its panel shows them. Here y is up.
     assert_near(camera.position(), [7.3589, 4.9583, 6.9258], 1e-4);
     let (tilt, turn) = (63.559_f64.to_radians(), 46.692_f64.to_radians());
     let dop = [-tilt.sin() * turn.sin(), -tilt.cos(), -tilt.sin() * turn.cos()];
     assert_near(camera.direction_of_projection(), dop, 1e-4);
     assert_eq!(camera.view_up(), DVec3::Y, "it is level, so VUP stays");
-    // In the world as it is, where asked for.
+    // In the world as it is, if asked for.
     let as_it_is = read(BLENDER, Stated { axes: Some(Axes::OPENGL), ..Stated::default() }).unwrap();
     assert_near(camera_of(&as_it_is).position(), [7.3589, -6.9258, 4.9583], 1e-4);
     // As its console prints it.
@@ -159,7 +159,7 @@ fn a_camera_of_three_js() {
     assert_eq!((is_by_columns(&found), found.evidence), (true, Evidence::OriginAhead));
     assert_near(camera_of(&found).position(), [142.32126, 202.75485, 389.40936], 1e-5);
     assert_near(camera_of(&found).direction_of_projection(), [-0.309832, -0.430511, -0.847741], 1e-6);
-    // `matrixWorldInverse` of it is told apart.
+    // `matrixWorldInverse` of it is recognised as different.
     let inverse = MatrixEntries::read(THREE_JS).unwrap().matrix(true).inverse().to_cols_array();
     let view = read(&format!("{inverse:?}"), Stated::default()).unwrap();
     let read = (view.best().reading.kind, is_by_columns(&view), view.best().certainty);
@@ -229,7 +229,7 @@ fn k_r_t_is_found_in_twelve_numbers_and_in_sixteen() {
 }
 
 #[test]
-fn what_no_camera_has_is_named() {
+fn matrices_of_no_camera_are_refused_with_the_reason() {
     let Err(RecoveryError::Skew { skew, focal_length }) = read(WITH_SKEW, Stated::default()) else { panic!("skew") };
     assert!((skew - 91.2).abs() < 0.1 && (focal_length - 468.2).abs() < 0.1, "{skew} {focal_length}");
     let affine = read("800 0 0 320  0 800 0 240  0 0 0 1", Stated::default());
@@ -240,7 +240,7 @@ fn what_no_camera_has_is_named() {
 }
 
 #[test]
-fn a_rigid_matrix_that_tells_nothing_is_read_as_camera_to_world_and_that_is_said() {
+fn an_ambiguous_rigid_matrix_is_read_as_camera_to_world_and_says_so() {
     // The camera of Blender after 90° about x, from a page about it: level and upright with z up alone.
     let found = read("1 0 0 0  0 0 -1 -6  0 1 0 0  0 0 0 1", Stated::default()).unwrap();
     assert_eq!((found.best().reading.kind, found.best().reading.axes), (MatrixKind::CameraToWorld, Axes::BLENDER));
@@ -360,7 +360,7 @@ proptest! {
         prop_assert!(again.basis().n.abs_diff_eq(basis.n, 1e-9) && again.basis().v.abs_diff_eq(basis.v, 1e-9));
     }
 
-    /// M_v and its inverse, in the axes of each program, by rows and by columns, give the camera back where they are
+    /// M_v and its inverse, in the axes of each program, by rows and by columns, give the camera back if they are
     /// stated.
     #[test]
     fn a_stated_reading_gives_the_camera_back(camera in plain_camera(), by_columns in any::<bool>(), scale in 0.01..100.0) {
@@ -394,7 +394,7 @@ proptest! {
         {
             for (kind, matrix) in [(MatrixKind::View, view), (MatrixKind::CameraToWorld, view.inverse())] {
                 let matrix = if by_columns { matrix } else { matrix.transpose() };
-                // Blender prints four lines; sixteen numbers in one list by columns are those of glTF and three.js.
+                // Blender prints four lines. Sixteen numbers in one list by columns are those of glTF and three.js.
                 let found = read(&format!("{:?}", matrix.to_cols_array_2d()), Stated::default()).unwrap();
                 let read = (found.best().reading.kind, found.best().reading.axes, is_by_columns(&found));
                 // M_v by columns is a rotation by rows too, but never with 0 0 0 1 below.
@@ -406,7 +406,7 @@ proptest! {
         }
     }
 
-    /// M_p M_v and M_p are told from the others, by rows and by columns.
+    /// M_p M_v and M_p are distinguished from the others, by rows and by columns.
     #[test]
     fn a_projection_is_recognised(camera in plain_camera(), by_columns in any::<bool>()) {
         // From the origin along an axis, M_p M_v has the zeros of M_p.

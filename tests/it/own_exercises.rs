@@ -1,5 +1,4 @@
-//! A lecturer's own exercises: what their files may hold, what is said of those that hold something else, and the
-//! command line over them.
+//! A lecturer's own exercises: the contents of their files, the errors of faulty ones, and the command line over them.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -23,8 +22,8 @@ fn fault(text: &str) -> [String; 2] {
     [Lang::En, Lang::PtBr].map(|lang| messages::figure(lang, &error))
 }
 
-/// By hand: C = (3, 4, 12), so D = 13 and **n** = (3, 4, 12)/13; (0, 1, 0) × **n** = (12, 0, −3)/13, so **u** = (4, 0,
-/// −1)/√17. A quarter turn about **v** takes **n** to **u**.
+/// By hand: C = (3, 4, 12), so D = 13 and **n** = (3, 4, 12)/13. Then (0, 1, 0) × **n** = (12, 0, −3)/13, so **u** =
+/// (4, 0, −1)/√17. A quarter turn about **v** takes **n** to **u**.
 #[test]
 fn the_examples_are_read_and_judged() {
     let found = read_exercises(Path::new(EXAMPLES)).unwrap();
@@ -56,7 +55,7 @@ fn the_examples_are_read_and_judged() {
 }
 
 #[test]
-fn a_file_at_fault_is_told_by_line_key_and_what_is_allowed() {
+fn a_faulty_file_is_refused_with_line_key_and_allowed_values() {
     let whole = |text: String| format!("{text}[[ask]]\nname = \"a\"\ntext = \"What?\"\nanswer = 1\n");
     let ask = |rest: &str| format!("{PLAIN}[[ask]]\nname = \"a\"\ntext = \"What?\"\n{rest}\n");
     for (text, parts) in [
@@ -226,7 +225,7 @@ fn a_foreign_file_leaves_the_exercises_beside_it_usable_and_is_named() {
         }
     }
     assert!(String::from_utf8_lossy(&exercise(&["list"]).out).contains("mine"));
-    // Who asks for what is broken is told why, and nothing of the others.
+    // A request for the broken one gives the reason, and nothing of the others.
     for (id, line) in [("broken", "broken.toml, line 4"), ("no-toml", "no-toml.toml, line 2")] {
         let run = exercise(&["show", id]);
         assert!(run.refused(2).contains(line) && !run.err.contains("figure.toml"), "{}", run.err);
@@ -239,7 +238,7 @@ fn a_foreign_file_leaves_the_exercises_beside_it_usable_and_is_named() {
     assert!(bench.run(&["exercise", "list", "--folder", "none"]).refused(2).contains("none"));
 }
 
-/// The picture that is to be matched goes beside a sheet; a figure in it would tell the camera.
+/// The picture that is to be matched goes beside a sheet. A figure in it would give the camera away.
 #[test]
 fn a_picture_to_be_matched_goes_beside_its_sheet_and_keeps_its_camera_to_itself() {
     let bench = Bench::new("exercise-pictures");

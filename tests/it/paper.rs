@@ -18,7 +18,7 @@ fn render(bench: &Bench, more: &[&str]) -> Run {
 }
 
 #[test]
-fn what_no_paper_has_is_refused_by_the_name_of_the_option_and_its_range() {
+fn impossible_paper_options_are_refused_by_name_and_range() {
     let bench = bench("paper-limits");
     for (options, name, range) in [
         (&["--letters", "1e9"][..], "--letters", ["0.5", "1000"]),
@@ -50,7 +50,7 @@ fn what_no_paper_has_is_refused_by_the_name_of_the_option_and_its_range() {
 }
 
 #[test]
-fn three_pictures_without_room_are_said_to_want_smaller_letters() {
+fn three_pictures_without_room_ask_for_smaller_letters() {
     let bench = bench("paper-room");
     let all = |more: &[&str]| bench.run(&[&["render", "figure.toml", "--view", "all", "-o", "o.png"], more].concat());
     let run = all(&["--size", "80x60", "--letters", "100"]);
@@ -110,7 +110,8 @@ proptest! {
         let bench = bench("paper-wild");
         let mut arguments = ["render", "figure.toml", "-o", "o.png", "--view", view, "--theme", theme].map(str::to_owned).to_vec();
         arguments.extend(size.map(|size| format!("--size={size}")));
-        // On paper as wide as the widest, a picture would take seconds: refused or small is what is looked for here.
+        // On paper as wide as the widest, a picture would take seconds. This test only looks for a refusal or a small
+        // one.
         let small = |name: &str, text: &str| {
             let large = if name == "--dpi" { 80.0 } else { 12.0 };
             !(name.ends_with("-cm") || name == "--dpi") || text.parse::<f64>().is_ok_and(|v| v <= large || v > 10_000.0)

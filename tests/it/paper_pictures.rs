@@ -1,4 +1,4 @@
-//! Pictures for paper: what may be left out of the world, strokes of small scenes, the border of the image.
+//! Pictures for paper: the parts of the world that may be left out, strokes of small scenes, the border of the image.
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::drawing::{Drawing, StrokeSet};
@@ -60,7 +60,7 @@ fn each_part_of_the_world_can_be_left_out() {
 }
 
 #[test]
-fn what_is_left_out_has_no_handle() {
+fn hidden_parts_have_no_handle() {
     let count = |parts: WorldParts| {
         let mut figure = house();
         figure.world.parts = parts;

@@ -81,16 +81,16 @@ fn mixed(over: [u8; 3], under: [u8; 3], share: f64) -> [u8; 3] {
     [0, 1, 2].map(|k| mix(k).round() as u8)
 }
 
-/// Where the photograph shows, in its two halves: in the corners of the image, and beside the box.
+/// The places in which the photograph shows, in its two halves: in the corners of the image, and beside the box.
 const SEEN: [([usize; 2], [u8; 3]); 6] =
     [([1, 1], LEFT), ([158, 1], RIGHT), ([1, 118], LEFT), ([158, 118], RIGHT), ([50, 60], LEFT), ([110, 60], RIGHT)];
 /// Places on the box, away from its edges.
 const ON_BOX: [[usize; 2]; 3] = [[72, 52], [84, 60], [90, 66]];
 
 #[test]
-fn a_photograph_shows_where_nothing_is_and_not_through_what_is_there() {
+fn a_photograph_shows_in_empty_places_and_not_through_objects() {
     let bench = bench("photograph-under");
-    // In each way to find what is hidden: one box needs no depths, and glass is drawn after all that is not.
+    // In each way to find hidden surfaces: one box needs no depths, and glass is drawn after everything that is not.
     let glass = format!("{BOX}[[scene.objects]]\nshape = \"sphere\"\nname = \"s\"\ntranslate = [0, 2.2, 0]\n");
     let glass = format!("{glass}scale = [0.5, 0.5, 0.5]\ncolor = \"#80800080\"\n");
     let scenes = [BOX.to_owned(), glass];
@@ -231,7 +231,7 @@ fn the_keys_are_read_written_and_edited() {
 }
 
 #[test]
-fn what_the_keys_do_not_allow_is_refused() {
+fn values_that_the_keys_do_not_allow_are_refused() {
     let bench = Bench::new("photograph-refused");
     for (image, language, words) in [
         (

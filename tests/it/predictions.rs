@@ -1,4 +1,4 @@
-//! Predictions in lessons: a place in the image, judged by the pipeline, and the figure that shows what was asked.
+//! Predictions in lessons: a place in the image, judged by the pipeline, and the figure that shows the answer.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -136,7 +136,7 @@ fn a_place_is_computed_from_a_thing_or_from_coordinates_of_the_step() {
         // The rim has 32 vertices before the tips.
         r#"{ object = "cone", vertex = "vertex:33" }"#,
         "{ view = [1, 1, -5] }",
-        // A = 4/3, and z_n = (20 + 1)/19 − 40/(19 · 5) at the depth 5; w is the depth.
+        // A = 4/3, and z_n = (20 + 1)/19 − 40/(19 · 5) at the depth 5, with w as the depth.
         "{ ndc = [0.15, 0.2, \"13/19\"] }",
         "{ clip = [0.75, 1, \"65/19\", 5] }",
         "{ clip = [1.5, 2, \"130/19\", 10] }",
@@ -148,7 +148,7 @@ fn a_place_is_computed_from_a_thing_or_from_coordinates_of_the_step() {
     // The box of the cone is [0, 2] × [0, 1] × [−1, 1].
     assert_eq!(at(r#"{ object = "cone", vertex = "center" }"#), at("[1, 0.5, 0]"));
     assert_eq!(at(r#"{ object = "cone", vertex = "corner:7" }"#), at("[2, 1, 1]"));
-    // A pixel is where it is, and its centre is half a pixel from its corner.
+    // A pixel has its own place, and its centre is half a pixel from its corner.
     assert_eq!(at("{ pixel = [11, 3] }"), [11.5, 3.5]);
 }
 
@@ -229,7 +229,7 @@ fn numbers_in(text: &str, comma: bool) -> Vec<f64> {
     inside.flat_map(|inside| inside.split(';').filter_map(value).collect::<Vec<_>>()).collect()
 }
 
-/// The program knows where the parts of a thing are, in each figure.
+/// The program knows the places of a thing's parts, in each figure.
 #[test]
 fn a_part_of_a_thing_is_marked_by_its_name() {
     let parts = [
@@ -244,8 +244,8 @@ fn a_part_of_a_thing_is_marked_by_its_name() {
     }
 }
 
-/// The two marks that were wrong once, by hand: the tip of the cone (2 high before its scale) is at (0.5, 1.8, −10),
-/// and b = 0.6 takes it to x_c = −0.1; the corner of the sheet is turned by 25° about y.
+/// The two marks that were wrong once, by hand. The tip of the cone (2 high before its scale) is at (0.5, 1.8, −10),
+/// and b = 0.6 takes it to x_c = −0.1. The corner of the sheet is turned by 25° about y.
 #[test]
 fn the_tip_of_the_cone_and_the_corner_of_the_turned_sheet_are_where_they_are_seen() {
     let marked = |id: &str| {
@@ -304,7 +304,7 @@ fn the_mark_on_the_highlight_is_where_the_ball_is_brightest() {
 }
 
 #[test]
-fn each_lesson_asks_for_a_place_and_shows_what_it_asks() {
+fn each_lesson_asks_for_a_place_and_shows_its_answer() {
     let mut shown = 0;
     for shipped in shipped() {
         let lesson = &shipped.lesson;

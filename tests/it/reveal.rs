@@ -210,7 +210,7 @@ fn whatever_is_revealed_the_plan_changes_no_pixel() {
 }
 
 #[test]
-fn what_is_usual_may_be_said() {
+fn the_usual_treatment_of_outside_may_be_spelled_out() {
     let drawings = |outside| {
         let mut figure = house(Reveal { outside, ..Reveal::default() });
         (figure.camera.near, figure.camera.far) = (5.0, 7.0);
@@ -243,7 +243,7 @@ fn cameras_that_a_careless_picture_would_spoil_spoil_none() {
     }
 }
 
-/// Looks along −z from the origin; the window on F is ±1, so the planes are |x| = |z| and |y| = |z|.
+/// Looks along −z from the origin. The window on F is ±1, so the planes are |x| = |z| and |y| = |z|.
 fn eye(projection: Projection) -> Camera {
     Camera::new(&Parameters {
         position: DVec3::ZERO,
@@ -291,7 +291,7 @@ fn outcodes_and_distances_are_those_of_clip_space() {
     // By hand: left of x = −|z|, above y = |z|, beyond B = 3.
     let far_away = DVec3::new(-5.0, 6.0, -4.0);
     assert_eq!(clip_parts::outcode_of(eye, far_away), Some([true, false, false, true, false, true]));
-    // w = 4; z = (4 · 4 − 6)/2 = 5 by z_n = (B + F)/(B − F) − 2 F B/((B − F) d).
+    // w = 4, and z = (4 · 4 − 6)/2 = 5 by z_n = (B + F)/(B − F) − 2 F B/((B − F) d).
     assert_eq!(clip_parts::homogeneous_distances(eye, far_away, Ndc::default()), [-1.0, 9.0, 10.0, -2.0, 9.0, -1.0]);
     assert_eq!(clip_parts::outcode_of(eye, DVec3::NAN), None);
 }
@@ -362,7 +362,7 @@ fn the_two_parts_are_the_whole_and_each_is_on_its_side() {
         // By the six planes of the camera, which know nothing of clip space.
         let planes = camera.volume_planes();
         let outermost = |p: DVec3| planes.iter().map(|plane| plane.distance(p)).fold(f64::INFINITY, f64::min);
-        // A cloud of points has nothing to cut; its marks are what is drawn of it.
+        // A cloud of points has nothing to cut. Its marks are all that is drawn of it.
         let mut drawn = parts.inside.clone();
         drawn.objects.retain(|o| !(o.mesh.triangles.is_empty() && o.mesh.edges.is_empty()));
         for v in drawn.vertices() {
@@ -413,7 +413,7 @@ fn a_point_behind_the_eye_folds_over_to_the_front() {
 }
 
 #[test]
-fn what_is_wholly_before_the_eye_is_the_same_either_way() {
+fn a_scene_wholly_before_the_eye_is_the_same_either_way() {
     let mut figure = house(Reveal { divide_first: true, ..Reveal::default() });
     let wrong = image(&Pictured::of(figure.clone()).bare());
     figure.reveal = Reveal::default();
@@ -448,7 +448,7 @@ fn a_face_that_passes_the_eye_is_where_its_divided_corners_are() {
 }
 
 #[test]
-fn what_is_divided_first_carries_what_its_vertices_carry() {
+fn surfaces_divided_first_interpolate_vertex_colours() {
     let [black, light] = [Rgba::rgb(0, 0, 0), Rgba::rgb(240, 60, 120)];
     let scene = passing_the_eye(ObjectPaint::Vertices(std::sync::Arc::new(vec![black, black, light])));
     let floor = divided_first(&scene, &eye(Projection::Perspective), 1.0).wrong.objects.remove(0);
@@ -526,7 +526,7 @@ fn canonical(figure: Figure) -> Pixmap {
 }
 
 #[test]
-fn what_lies_outside_as_glass() {
+fn outside_parts_as_glass() {
     let tinted = Reveal { outside: Outside::Tinted, ..Reveal::default() };
     assert_picture("reveal_outside_world", &from_behind(scattered(tinted)));
     assert_picture("reveal_outside_canonical", &canonical(scattered(tinted)));
@@ -535,7 +535,7 @@ fn what_lies_outside_as_glass() {
 }
 
 #[test]
-fn what_is_culled_in_the_dark() {
+fn culled_faces_in_the_dark_theme() {
     let mut figure = scattered(Reveal { culled: true, ..Reveal::default() });
     figure.style.theme = Theme::Dark;
     assert_picture("reveal_culled_dark", &from_behind(figure));

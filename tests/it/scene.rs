@@ -64,7 +64,7 @@ fn euler_characteristic(mesh: &Mesh) -> i64 {
     v - e + i64::try_from(mesh.triangles.len()).unwrap()
 }
 
-/// The enclosed volume; positive when triangles are counter-clockwise seen from outside.
+/// The enclosed volume, positive when triangles are counter-clockwise seen from outside.
 fn signed_volume(mesh: &Mesh) -> f64 {
     mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])).map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()
 }
@@ -353,7 +353,7 @@ fn presets_have_names_that_read_back_and_can_be_built_in_every_theme() {
 }
 
 #[test]
-fn hidden_lines_are_left_to_the_style_but_for_what_is_painted_on_faces() {
+fn hidden_lines_are_left_to_the_style_except_for_marks_on_faces() {
     let hidden = |preset_name, name| object(&preset(preset_name), name).edges.map(|edges| edges.hidden);
     assert_eq!(hidden(Preset::Cube, "cube"), Some(HiddenLines::OfStyle));
     assert_eq!(hidden(Preset::Primitives, "segments"), Some(HiddenLines::OfStyle));
@@ -418,7 +418,7 @@ fn each_preset_has_an_example_figure_with_its_recommended_camera() {
         if preset != Preset::Exercise51 {
             assert_eq!(figure.scene, SceneSpec { preset, ..SceneSpec::default() }, "{preset}");
         }
-        // What has no part in the projection is not in the file.
+        // Values without a part in the projection are not in the file.
         let used = |p: Parameters| match p.projection {
             Projection::Perspective => Parameters { height: 0.0, ..p },
             Projection::Parallel => Parameters { view_angle: 0.0, ..p },
@@ -475,7 +475,7 @@ fn the_sample_mesh_is_whole() {
 }
 
 #[test]
-fn a_prism_has_six_sides_and_a_grid_ten_cells_where_a_figure_file_does_not_say() {
+fn by_default_a_prism_has_six_sides_and_a_grid_ten_cells() {
     let text = "[[scene.objects]]\nshape = \"prism\"\n[[scene.objects]]\nshape = \"grid\"\n[[scene.objects]]\nshape = \"prism\"\nsegments = 32\n";
     let figure = read::parse(text).unwrap();
     assert_eq!(figure.scene.objects.iter().map(|o| o.segments).collect::<Vec<_>>(), [6, 10, 32]);

@@ -1,5 +1,5 @@
-//! Shadows against rays: every pixel of a picture with shadow maps is held against a ray to the light, in `f64`, on the
-//! triangles of the scene.
+//! Shadows against rays: every pixel of a picture with shadow maps is compared with a ray to the light, in `f64`, on
+//! the triangles of the scene.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -113,7 +113,7 @@ impl OneByOne {
         Self(scene.objects.iter().flat_map(of_object).collect())
     }
 
-    /// The first triangle that a ray meets after `from`, and where; [Möller, Trumbore 1997].
+    /// The first triangle that a ray meets after `from`, and the point of impact; [Möller, Trumbore 1997].
     fn hit(&self, origin: DVec3, ray: DVec3, without: usize, within: std::ops::Range<f64>) -> Option<(usize, f64)> {
         let mut best: Option<(usize, f64)> = None;
         for (k, &[a, b, c]) in self.0.iter().enumerate().filter(|(k, _)| *k != without) {
@@ -174,7 +174,7 @@ fn wrong(scene: &Scene, camera: &Camera, light: Light, size: ImageSize) -> [usiz
                 let beside = [[0.01, 0.0], [-0.01, 0.0], [0.0, 0.01], [0.0, -0.01]]
                     .map(|[x, y]| solids.seen(camera, size, [pixel[0] + x, pixel[1] + y]).map(|seen| seen.triangle));
                 if beside.iter().any(|other| *other != Some(triangle)) {
-                    // On an edge of the picture, where another face is drawn.
+                    // On an edge of the picture, at which another face is drawn.
                     continue;
                 }
                 counts[1] += 1;
@@ -227,7 +227,7 @@ fn shadows_are_where_rays_to_the_light_are_stopped() {
     }
 }
 
-/// Observers of the canonical volume: from its front, where the image is, and from above.
+/// Observers of the canonical volume: from its front, the side of the image, and from above.
 fn canonical_observers() -> [Camera; 2] {
     let window = Some(ViewWindow { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 });
     let front = Parameters {
@@ -289,7 +289,7 @@ fn wrong_in_canonical(scene: &Scene, camera: &Camera, light: Light, observer: &C
 }
 
 #[test]
-fn in_the_canonical_volume_shadows_fall_on_the_same_points_of_surfaces_as_in_the_world() {
+fn shadows_fall_on_the_same_points_in_world_and_canonical_volume() {
     let figure = parse(TABLE).unwrap();
     let low_sun = Light::directional(DVec3::new(1.5, -1.0, -0.3)).with_shadows(Shadows::CAST);
     for light in [low_sun, lamp()] {
@@ -464,7 +464,7 @@ fn a_map_is_kept_while_neither_light_nor_scene_changes() {
 }
 
 #[test]
-fn the_stage_runs_only_where_a_shadow_may_fall() {
+fn the_stage_runs_only_if_a_shadow_may_fall() {
     let figure = parse(TABLE).unwrap();
     let (scene, camera) = white(&figure, sun());
     let size = ImageSize { width: 80, height: 60 };
@@ -543,7 +543,7 @@ fn truth_of(text: &str, size: ImageSize, lang: Lang) -> (Request, Marked, Vec<St
 /// Marked pixels: column, row.
 type Marked = BTreeSet<[u32; 2]>;
 
-/// Light with a bias of nothing, and of too much, so that many pixels are wrong, dark and lit; all of it or nothing.
+/// Light with no bias, and with too much, so that many pixels are wrong, dark and lit. All of it or nothing.
 const LIT: &str = r#"
 [[scene.lights]]
 kind = "directional"
@@ -555,7 +555,7 @@ shadow_softness = 0
 "#;
 
 #[test]
-fn marked_pixels_are_those_where_rays_one_by_one_say_something_else_than_the_map() {
+fn marked_pixels_are_those_in_which_ray_and_map_disagree() {
     let size = ImageSize { width: 120, height: 90 };
     for bias in ["0", "100"] {
         let text = format!("{TABLE}{}", LIT.replace("BIAS", bias));
@@ -586,7 +586,7 @@ fn marked_pixels_are_those_where_rays_one_by_one_say_something_else_than_the_map
                 of += usize::from(cosine > 0.0);
                 let all = f64::from(DIFFUSE) * cosine;
                 let arrives = f64::from(shadowed[k]) / 255.0 - f64::from(AMBIENT);
-                // Where hardly any light could arrive, or about half of it does, bytes do not tell.
+                // If hardly any light could arrive, or about half of it does, bytes do not tell.
                 if cosine < 0.1 || (arrives / all - 0.5).abs() < 0.1 {
                     doubtful += usize::from(is_marked);
                     continue;
@@ -615,7 +615,7 @@ fn the_count_of_wrong_pixels_is_that_of_the_marks_and_stands_in_both_languages()
     assert!(marked > 100 && said.starts_with(&format!("the shadow map is wrong at {marked} of ")), "{said}: {marked}");
     let (_, _, portuguese) = truth_of(&text, size, Lang::PtBr);
     assert!(portuguese.iter().any(|text| text.starts_with(&format!("o mapa de sombras erra em {marked} de "))));
-    // Without shadows there is nothing to say, and what is too large is left alone.
+    // Without shadows there is nothing to report, and a picture that is too large is left alone.
     let (_, _, none) = truth_of(TABLE, size, Lang::En);
     assert!(none.iter().all(|text| !text.contains("wrong")), "{none:?}");
     let huge = ImageSize { width: 4096, height: 2048 };

@@ -1,4 +1,4 @@
-//! What comes from a file and goes to LaTeX or Markdown: words and mathematics, and nothing that reads a file or runs a
+//! Texts that go from a file to LaTeX or Markdown: words and mathematics, and nothing that reads a file or runs a
 //! program.
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -18,7 +18,7 @@ use crate::common::program::Bench;
 
 const BOTH: [Lang; 2] = [Lang::En, Lang::PtBr];
 
-/// What texts of strangers may try, by the name of a file.
+/// Attacks in texts of strangers, by the name of a file.
 fn attacks(file: &str) -> Vec<String> {
     let plain = [
         "\\input{FILE}",
@@ -67,7 +67,7 @@ fn attacks(file: &str) -> Vec<String> {
         .collect()
 }
 
-/// An exercise with these texts, which were not held against anything.
+/// An exercise with these texts, which were not checked.
 fn exercise(texts: &[String]) -> Exercise {
     let plain = "id = \"mine\"\ntitle = \"Mine\"\nstatement = \"Say it.\"\n";
     let asks = "[[ask]]\nname = \"a\"\ntext = \"A\"\nchoices = [\"x\", \"y\"]\nanswer = \"x\"\n[[ask]]\nname = \"b\"\ntext = \"B\"\nquantity = \"basis.u\"\n";
@@ -134,7 +134,7 @@ fn attacks_of_all_kinds_become_words() {
 }
 
 proptest! {
-    /// Texts by a grammar of what TeX, Markdown and HTML know.
+    /// Texts by a grammar of the words of TeX, Markdown and HTML.
     #[test]
     fn no_text_commands_anything(
         texts in prop::collection::vec(

@@ -1,4 +1,4 @@
-//! What a picture shows is one value: the figure file holds it, and every way to a picture draws the same of it.
+//! The contents of a picture are one value: the figure file holds it, and every way to a picture draws the same of it.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -57,7 +57,7 @@ fn with_others(show: &Show, view: View, other: &Show) -> Show {
     if view != View::Image {
         mixed.painted = other.painted;
     }
-    // What is culled and clipped in the image is seen in the pictures beside it.
+    // Faces culled and clipped in the image are seen in the pictures beside it.
     let is_beside = |stage| matches!(stage, Stage::CullObjects | Stage::CullFaces | Stage::Clip);
     let belongs = |show: &Show| {
         show.stage.is_some_and(|stage| show.stage_of.0 == view || show.stage_of.0 == View::Image && is_beside(stage))
@@ -88,7 +88,8 @@ proptest! {
         prop_assert_eq!(&again, &figure);
         prop_assert_eq!(Shot::of(&again), Shot::of(&figure));
         for view in View::ALL {
-            // What the operations know beyond the file makes no difference, however little of it pixels could show.
+            // Digits that the operations know beyond the file make no difference, however little of them pixels could
+            // show.
             let scene = scene(&figure);
             let of_file = request(&Camera::new(&again.camera).unwrap(), &again, view, &scene);
             prop_assert!(request(&camera, &figure, view, &scene) == of_file, "{view:?}");
@@ -101,7 +102,7 @@ proptest! {
     }
 
     #[test]
-    fn what_belongs_to_other_pictures_changes_nothing_in_this_one(show in shows(), other in shows()) {
+    fn settings_of_other_pictures_change_nothing_in_this_one(show in shows(), other in shows()) {
         let mut renderer = Renderer::default();
         for view in View::ALL {
             let mixed = with_others(&show, view, &other);
@@ -144,7 +145,7 @@ fn each_key_shows_where_it_belongs() {
 }
 
 #[test]
-fn what_cannot_be_shown_is_told_by_line_key_and_what_is_allowed() {
+fn impossible_shows_are_refused_with_line_key_and_allowed_values() {
     for (text, parts) in [
         ("stage = \"clipp\"", &["line 2", "[show] stage", "\"clipp\"", "\"clip\""][..]),
         ("painted = 1.5", &["line 2", "[show] painted", "0", "1"]),
@@ -173,9 +174,9 @@ fn what_cannot_be_shown_is_told_by_line_key_and_what_is_allowed() {
     }
 }
 
-/// What `render` writes is the same from a file, from a link, from the PNG that it wrote, and from arguments.
+/// The output of `render` is the same from a file, from a link, from the PNG that it wrote, and from arguments.
 #[test]
-fn render_draws_what_is_shown_and_arguments_override_it() {
+fn render_draws_the_show_table_and_arguments_override_it() {
     let bench = Bench::new("shot");
     let shown = "[show]\nstage = \"clip\"\nprobe = { pixel = [512, 300] }\n[scene]\npreset = \"house\"\n";
     bench.write("shown.toml", shown);
@@ -200,7 +201,7 @@ fn render_draws_what_is_shown_and_arguments_override_it() {
 }
 
 #[test]
-fn arguments_that_cannot_be_shown_are_told() {
+fn impossible_show_arguments_are_refused() {
     let bench = Bench::new("shot-arguments");
     bench.write("f.toml", "[scene]\npreset = \"house\"\n");
     for (argument, parts) in [
@@ -220,8 +221,8 @@ fn arguments_that_cannot_be_shown_are_told() {
     }
 }
 
-/// The pictures are drawn from what a file can hold: what operations know beyond it makes no difference between screen
-/// and file.
+/// The pictures are drawn from values that a file can hold: digits that operations know beyond it make no difference
+/// between screen and file.
 #[test]
 fn after_a_hundred_operations_the_file_draws_the_same_pixels() {
     let bench = Bench::new("shot-operations");

@@ -1,4 +1,4 @@
-//! What a picture shows of a stage: what went in and what came out.
+//! The marks of a stage in a picture: its input and its output.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -57,7 +57,7 @@ fn noting_a_stage_changes_nothing_and_one_that_did_not_run_has_nothing_to_show()
 }
 
 #[test]
-fn what_is_noted_is_what_the_report_counts() {
+fn noted_work_agrees_with_the_counts_of_the_report() {
     for near in [0.5, 2.0, 6.0] {
         let culled = frame(near, Some(Stage::CullFaces));
         let (from, to) = report(&culled, Stage::CullFaces).counts.unwrap();
@@ -111,7 +111,7 @@ fn objects_that_are_dropped_are_named() {
     assert!(dropped.iter().any(|object| object.name == away && object.middle.is_none()));
 }
 
-/// The pixels of one half, away from the line in the middle and from what is written beside it.
+/// The pixels of one half, away from the line in the middle and from the text beside it.
 fn half(picture: &Pixels, right: bool) -> Vec<[u8; 4]> {
     let (side, half) = (SIDE as usize, SIDE as usize / 2);
     let columns = if right { half + 4..side } else { 0..half - 4 };
@@ -164,10 +164,10 @@ fn every_stage_is_shown_in_every_picture() {
     }
 }
 
-/// What a stage drops is shown in another colour and counted by none: the stages say the same of the picture as without
-/// it.
+/// The triangles that a stage drops are shown in another colour and are not counted: the stages report the same of the
+/// picture as without it.
 #[test]
-fn faces_that_show_a_stage_are_counted_by_none_also_where_depths_are_shown() {
+fn faces_that_show_a_stage_are_not_counted_even_with_depths_shown() {
     for depth in [Depth::Off, Depth::Stored] {
         let plain = request(2.0).with_shot(|shot| shot.look.reveal.depth = depth);
         let accounts = |request: &Request| {

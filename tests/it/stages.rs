@@ -13,7 +13,7 @@ use crate::common::rendered::assert_rendered;
 const SIZE: Size = Size { width: 160, height: 120, scale: 1.0 };
 const LIGHT: &str = "[[scene.lights]]\nkind = \"directional\"\ndirection = [-1, -1.2, -1.6]\n";
 
-/// The image of a figure, held against `stage_NAME.png`.
+/// The image of a figure, compared with `stage_NAME.png`.
 #[track_caller]
 fn assert_stage(name: &str, figure: &str) {
     let figure = parse(figure).unwrap();
@@ -136,7 +136,7 @@ fn hidden_surfaces_by_depth_where_faces_cross() {
 }
 
 #[test]
-fn blending_shows_what_is_behind() {
+fn blending_shows_the_surface_behind() {
     let figure = "[camera]\nposition = [1.2, 1.4, 5]\nview_angle = 30\nnear = 2\nfar = 9\n\
                   [[scene.objects]]\nname = \"solid\"\nshape = \"box\"\ntranslate = [-0.3, 0, -0.8]\ncolor = \"#ee8866\"\n\
                   [[scene.objects]]\nname = \"glass\"\nshape = \"sphere\"\ntranslate = [0.2, 0, 0.4]\ncolor = \"#4477aa80\"\n";

@@ -1,5 +1,5 @@
-//! Cameras, operations, points and scenes that nobody would write, and what must be true of them: `cargo test` tries
-//! some, the example `stress` as many as it is told.
+//! Cameras, operations, points and scenes that no person would write, and the invariants they must keep: `cargo test`
+//! tries some, the example `stress` as many as you ask for.
 
 use camera_lab::appearance::{Samples, Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Convention, ImageSize, Operation, Parameters, Projection, ViewWindow, Viewport};
@@ -13,7 +13,7 @@ use camera_lab::views::{Request, SharedScene, Size, TimedPipeline, View, frame, 
 use camera_lab_words::{Lang, pictures};
 use glam::{DMat4, DVec3};
 
-/// What was tried.
+/// The numbers of things tried.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Tried {
     /// Parameters, and how many of them are those of a camera.
@@ -27,10 +27,10 @@ pub(crate) struct Tried {
     pub(crate) pictures: u64,
 }
 
-/// Tries number `case` of a seed; a picture of each `picture_of`-th camera.
+/// Tries number `case` of a seed, with a picture of each `picture_of`-th camera.
 ///
 /// # Errors
-/// What is not as it must be.
+/// The broken invariant.
 pub(crate) fn case(seed: u64, case: u64, picture_of: u64, tried: &mut Tried) -> Result<(), String> {
     let mut random = Random::new(seed, case);
     let parameters = parameters(&mut random);
@@ -166,8 +166,8 @@ fn check(camera: &Camera) -> Result<(), String> {
     inverse("projection", camera.clip_from_view(), camera.view_from_clip())
 }
 
-/// The product of a matrix with its inverse, held against the size of what is summed up; numbers beyond all bounds are
-/// left out.
+/// The product of a matrix with its inverse, compared with the size of its summands. Numbers beyond all bounds are left
+/// out.
 fn inverse(what: &str, matrix: DMat4, inverse: DMat4) -> Result<(), String> {
     let (rows, columns) = (matrix.transpose(), inverse);
     for i in 0..4 {

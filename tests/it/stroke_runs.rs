@@ -19,7 +19,7 @@ use glam::{DMat4, DVec3};
 use crate::common::scenes::{cube, object, shading};
 
 const TARGET: Target = Target { width: 320, height: 240, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
-/// Of the depth test, which looks at pixels: what is hidden by less than two of them is seen, and a little for the
+/// For the depth test, which looks at pixels: a stroke hidden by less than two of them is seen, and a little for the
 /// width.
 const NEAR: f32 = 4.0;
 
@@ -99,7 +99,7 @@ fn exact_runs_look_as_the_depth_buffer_shows_strokes() {
             apart += usize::from(a.red().abs_diff(b.red()) > 64 && !at_an_end());
         }
     }
-    // Away from ends of runs: where an edge is hidden by less than two pixels along all its length.
+    // Away from ends of runs, at which an edge is hidden by less than two pixels along all its length.
     assert!(ink > 10_000 && apart * 200 < ink && dimmed > 10, "{apart} of {ink}, {dimmed} dimmed");
 }
 
@@ -141,7 +141,7 @@ fn crossings() -> Scene {
 }
 
 /// Pixels of the strokes in a drawing, those that are otherwise with the runs in their order, and those with the runs
-/// as they are listed; near ends of what faces hide none are counted.
+/// as they are listed. Pixels near the hidden ends of strokes are not counted.
 fn disagreement(drawing: &Drawing) -> [usize; 3] {
     let paint = |drawing: &Drawing| Rasterizer::default().paint(drawing).expect("a picture");
     let listed = stroke_runs(drawing).unwrap();
@@ -167,9 +167,9 @@ fn disagreement(drawing: &Drawing) -> [usize; 3] {
     counts
 }
 
-/// What is left has two causes. Strokes along each other at a small angle that change order on the way: each pixel has
-/// its own nearer one, but runs are cut once for both and all their width. And joints of one set: the rasterizer keeps
-/// the greatest share that any of its segments covers, but runs paint over one another.
+/// The remaining differences have two causes. Strokes along each other at a small angle that change order on the way:
+/// each pixel has its own nearer one, but runs are cut once for both and all their width. And joints of one set: the
+/// rasterizer keeps the greatest share that any of its segments covers, but runs paint over one another.
 #[test]
 fn runs_in_their_order_cross_as_the_depths_of_pixels_say() {
     let (mut behind_faces, mut alone) = ([0; 3], [0; 3]);
@@ -180,7 +180,7 @@ fn runs_in_their_order_cross_as_the_depths_of_pixels_say() {
     }
     let [ink, ordered, listed] = behind_faces;
     assert!(ink > 20_000 && ordered * 250 < ink && ordered * 5 < listed, "{behind_faces:?}");
-    // Where no face hides anything, order alone decides.
+    // If no face hides anything, order alone decides.
     let [ink, ordered, listed] = alone;
     assert!(ink > 20_000 && ordered * 250 < ink && ordered * 5 < listed, "{alone:?}");
 }

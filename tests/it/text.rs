@@ -32,7 +32,7 @@ fn sources(folders: &[&str]) -> Vec<(String, String)> {
     files.into_iter().map(|file| (name(&file), fs::read_to_string(&file).unwrap())).collect()
 }
 
-/// A comment line that is too long; tables and addresses cannot be wrapped, and code in docs is not either.
+/// A comment line that is too long. Tables and addresses cannot be wrapped, and code in docs is not either.
 fn is_too_long(line: &str) -> bool {
     let comment = line.trim_start();
     let wraps = comment.starts_with("//") && !comment.trim_start_matches(['/', '!', ' ']).starts_with('|');
@@ -94,7 +94,7 @@ fn docs_start_with_a_noun_or_a_verb() {
     assert_eq!(found, [1, 4]);
 }
 
-/// The files that a page names in backticks; a name without a root is one in the sources of a crate.
+/// The files that a page names in backticks. A name without a root is one in the sources of a crate.
 fn architecture_names(text: &str) -> Vec<&str> {
     let names = text.split('`').skip(1).step_by(2);
     names.filter(|name| name.ends_with(".rs") && !name.contains([' ', '*', '<']) && !name.contains("NAME")).collect()

@@ -1,4 +1,4 @@
-//! `inspect --trace` and `--depth-pixel`: what other programs read of a point's way.
+//! `inspect --trace` and `--depth-pixel`: the values that other programs read of a point's way.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -103,7 +103,7 @@ fn a_pixel_with_a_depth_leads_to_the_point_that_has_them() {
 }
 
 #[test]
-fn what_cannot_be_followed_is_refused_with_what_is_allowed() {
+fn untraceable_points_are_refused_with_the_allowed_values() {
     let bench = Bench::new("trace-refused");
     bench.write("f.toml", FIGURE);
     for (arguments, said) in [

@@ -1,5 +1,5 @@
-//! Pictures as SVG, PDF and LaTeX, held against the pixels of the same figure by librsvg, Poppler and pdfTeX, where
-//! they are installed.
+//! Pictures as SVG, PDF and LaTeX, compared with the pixels of the same figure by librsvg, Poppler and pdfTeX, if they
+//! are installed.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -46,14 +46,14 @@ pub(crate) fn svg_of(sheet: &Composite, options: FileOptions, figure: &Figure) -
     String::from_utf8(written(sheet, options, figure, "").bytes).unwrap()
 }
 
-/// Whether a program is there; the checks on a bare machine install it.
+/// Whether a program is there. The checks on a bare machine install it.
 pub(crate) fn has(program: &str) -> bool {
     let found = Command::new(program).arg("--version").output().is_ok();
     assert!(found || std::env::var_os("CAMERA_LAB_ALL_TOOLS").is_none(), "{program} is not installed");
     found
 }
 
-/// The SVG as pixels, `zoom` times as large as the picture; `None` without the program for it.
+/// The SVG as pixels, `zoom` times as large as the picture. `None` without the program for it.
 pub(crate) fn drawn(svg: &str, zoom: f64, bench: &Bench) -> Option<Pixmap> {
     let (from, to) = (format!("{:p}.svg", svg.as_ptr()), format!("{:p}.png", svg.as_ptr()));
     if !has("rsvg-convert") {
@@ -113,7 +113,7 @@ fn difference(one: &[u8], other: &[u8]) -> (f64, f64) {
 }
 
 #[test]
-fn vectors_show_what_pixels_show_in_every_shipped_figure_view_and_theme() {
+fn vectors_agree_with_pixels_in_every_shipped_figure_view_and_theme() {
     let bench = bench_with_fonts("vectors-shipped");
     let jobs: Vec<_> = SHIPPED_FIGURES.iter().flat_map(|figure| View::ALL.map(|view| (figure, view))).collect();
     let worst: Vec<String> = jobs
@@ -135,7 +135,7 @@ fn vectors_show_what_pixels_show_in_every_shipped_figure_view_and_theme() {
 }
 
 #[test]
-fn poppler_shows_what_pixels_show_and_finds_every_name() {
+fn poppler_agrees_with_the_pixels_and_finds_every_name() {
     if !has("pdftoppm") || !has("pdftotext") {
         return;
     }
@@ -360,7 +360,7 @@ fn areas_have_no_gaps_between_neighbours_at_any_zoom() {
 }
 
 #[test]
-fn the_command_line_writes_vectors_and_says_what_it_could_not() {
+fn the_command_line_writes_vectors_and_reports_parts_left_out() {
     let bench = Bench::new("vectors-cli");
     bench.write("a.toml", "[scene]\npreset = \"house\"\n[style]\nshading = \"gouraud\"\n");
     let run = bench.run(&["render", "a.toml", "--faces", "vector", "--size", "200x150", "-o", "a.svg"]);
@@ -431,7 +431,7 @@ fn latex_sets_the_names_in_the_documents_font_over_a_pdf_beside_it() {
 }
 
 #[test]
-fn letters_on_paper_are_nine_points_and_small_ones_are_told() {
+fn letters_on_paper_are_nine_points_and_small_ones_give_a_notice() {
     let bench = Bench::new("vectors-letters");
     bench.write("a.toml", "[scene]\npreset = \"house\"\n");
     let render = |arguments: &[&str]| bench.run(&[&["render", "a.toml", "--view", "world", "-o"], arguments].concat());
@@ -447,7 +447,7 @@ fn letters_on_paper_are_nine_points_and_small_ones_are_told() {
     assert!(svg.contains("font-size=\"12\""), "9 pt are 12 px");
 }
 
-/// The sizes of the letters of an SVG file; subscripts are smaller.
+/// The sizes of the letters of an SVG file. Subscripts are smaller.
 fn letter_sizes(svg: &str) -> Vec<f64> {
     let size = |text: &str| text.split_once("font-size=\"")?.1.split('"').next()?.parse().ok();
     svg.split("<text").skip(1).filter_map(size).collect()

@@ -103,7 +103,7 @@ impl Pictured {
         draw(&self.seen_by(View::Canonical, self.observer(View::Canonical, viewpoint)))
     }
 
-    /// Where an observer's picture has a point, in pixels.
+    /// The place of a point in an observer's picture, in pixels.
     fn place(&self, observer: &Observer, p: DVec3) -> DVec2 {
         let aspect = f64::from(self.request.size.width) / f64::from(self.request.size.height);
         let clip = observer.camera(None, aspect).unwrap().clip_from_world() * p.extend(1.0);
@@ -213,7 +213,7 @@ fn the_volume_drawn_is_the_inverse_of_the_matrices() {
         let palette = Palette::of(pictured.figure.style.theme);
         let observer = pictured.observer(View::World, Viewpoint::Iso);
         let world = draw(&pictured.seen_by(View::World, observer));
-        // Near corners by a numerical inverse; the library has its own in closed form.
+        // Near corners by a numerical inverse. The library has its own in closed form.
         let world_from_clip = pictured.request.camera.clip_from_world().inverse();
         for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
             let corner = world_from_clip * DVec4::new(x, y, -1.0, 1.0);
@@ -260,7 +260,7 @@ fn the_whole_volume_is_in_the_picture_also_of_a_very_wide_angle() {
         for corner in pictured.request.camera.volume_corners() {
             let place = pictured.place(&observer, corner);
             let inside = place.cmpge(DVec2::ZERO).all() && place.x <= 640.0 && place.y <= 480.0;
-            // What is drawn nearer than it is has a break mark, and does not go beyond the frame either.
+            // A plane that is drawn nearer than it is has a break mark, and does not go beyond the frame either.
             let broken = pictured.world(Viewpoint::Iso).labels.iter().any(|l| l.text == "far (B = 12)");
             assert!(inside || broken, "{degrees}°: {place}");
         }
@@ -269,8 +269,8 @@ fn the_whole_volume_is_in_the_picture_also_of_a_very_wide_angle() {
 
 #[test]
 fn the_canonical_front_view_is_the_image() {
-    // Seen from before its near face, the canonical volume shows what the image shows: M_p has turned every projection
-    // into the parallel one along z_n.
+    // Seen from before its near face, the canonical volume looks like the image: M_p has turned every projection into
+    // the parallel one along z_n.
     for (name, figure) in cameras() {
         let aspect = figure.camera.aspect;
         let pictured = Pictured::of(figure).sized(400, 300);
@@ -321,9 +321,9 @@ fn one_probe_marks_the_same_point_in_all_three() {
 }
 
 #[test]
-fn a_pixels_ray_ends_on_what_the_pixel_shows() {
-    // The ray through the middle of the window is the axis of projection: it meets the cube about PF where the axis
-    // does.
+fn a_pixels_ray_ends_on_the_surface_the_pixel_shows() {
+    // The ray through the middle of the window is the axis of projection: both meet the cube about PF in the same
+    // point.
     let mut figure = figure(|c| (c.position, c.near, c.far) = (DVec3::new(0.0, 0.0, 6.0), 2.0, 12.0));
     figure.scene.preset = ScenePreset::Cube;
     let pictured = Pictured::of(figure).probed(Probe::Window(DVec2::ZERO));
@@ -406,7 +406,7 @@ fn a_picture_at_twice_the_scale_is_the_same_picture_with_twice_the_pixels() {
     }
 }
 
-/// `[show] operation` names the operation with its value in all three pictures; of several each has its number, and the
+/// `[show] operation` names the operation with its value in all three pictures. Each of several has its number, and the
 /// world names the camera before them.
 #[test]
 fn the_operations_of_a_figure_are_drawn_in_every_picture() {

@@ -183,7 +183,7 @@ fn habits(text: &str, lang: Lang) -> Habits {
         Lang::En => [&["where"], &["if"]],
         _ => [&["onde"], &["seu", "seus", "sua", "suas"]],
     };
-    // Questions may ask where.
+    // Questions may ask for a place.
     let told =
         lower.split_inclusive(['.', '?', '!', '|']).filter(|sentence| !sentence.ends_with('?')).collect::<String>();
     let asked_places = words_of(&told).filter(|word| places.contains(word)).count();

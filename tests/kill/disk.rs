@@ -16,7 +16,7 @@ pub(crate) fn small_disk() -> Option<PathBuf> {
     disk
 }
 
-/// Fills a disk to the last byte; the file that does it.
+/// Fills a disk to the last byte, and returns the file that does it.
 pub(crate) fn fill(disk: &std::path::Path) -> PathBuf {
     use std::io::Write as _;
     let path = disk.join("filler");

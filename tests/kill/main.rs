@@ -1,4 +1,4 @@
-//! Kills programs that save, and looks at what is left: short here, long with `.ci/kill SECONDS`.
+//! Kills programs that save, and examines the files they leave: short here, long with `.ci/kill SECONDS`.
 //!
 //! Each test starts this same binary again as the program that is killed ([`victim`]).
 #![expect(clippy::expect_used, clippy::print_stderr, reason = "tests may fail, and say what they leave out")]
@@ -14,13 +14,13 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// What the victim is to do.
+/// The task of the victim.
 const WORK: &str = "CAMERA_LAB_KILL_WORK";
 
 /// The folder of the victim.
 const FOLDER: &str = "CAMERA_LAB_KILL_FOLDER";
 
-/// Does what the test that has started it wants, until it is killed.
+/// Does the task of the test that has started it, until it is killed.
 #[test]
 fn victim() {
     let (Ok(work), Ok(folder)) = (std::env::var(WORK), std::env::var(FOLDER)) else { return };
@@ -92,7 +92,7 @@ impl Victim {
 
 impl Drop for Victim {
     fn drop(&mut self) {
-        // On Unix this is SIGKILL, which nobody can catch.
+        // On Unix this is SIGKILL, which no program can catch.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
@@ -113,8 +113,8 @@ fn time_to_kill() -> Duration {
     Duration::from_secs(seconds.unwrap_or(2))
 }
 
-/// Moments that follow each other without a pattern: the same ones in every run, but for what the machine makes of
-/// them.
+/// Moments that follow each other without a pattern. They are the same in every run, except for the machine's own
+/// delays.
 fn moments() -> impl Iterator<Item = Duration> {
     let mut state = 20_261_121_u64;
     std::iter::repeat_with(move || {

@@ -23,7 +23,7 @@ fn is_whole(bytes: &[u8]) -> bool {
     all.lines().count() == LINES && all.ends_with('\n') && all.lines().all(|line| line == first)
 }
 
-/// So many times: for whoever is not killed from outside.
+/// So many times, for a program that is not killed from outside.
 pub(crate) const SOME: usize = 8;
 
 pub(crate) fn save_repeatedly(folder: &Path, times: usize) {
@@ -46,7 +46,7 @@ fn check(folder: &Folder, in_place: bool, how: &str) {
     let copy = others.iter().any(|other| fs::read(other).is_ok_and(|bytes| is_whole(&bytes)));
     assert!(whole || (in_place && copy), "{how}: the file is torn");
     for other in others {
-        // As if three seconds had passed: where it can be told that its process is gone, it need not be older.
+        // As if three seconds had passed: if its process is known to be gone, it need not be older.
         let file = File::options().write(true).open(other).expect("a file");
         let age = Duration::from_secs(if Path::new("/proc/self").exists() { 3 } else { 100 });
         file.set_modified(SystemTime::now() - age).expect("possible");
@@ -104,7 +104,7 @@ fn can_trace() -> bool {
 }
 
 #[test]
-fn a_file_is_whole_where_the_program_is_killed_at_a_system_call() {
+fn a_file_is_whole_after_a_kill_at_a_system_call() {
     if !can_trace() {
         eprintln!("left out: strace is not there, or may not trace");
         return;

@@ -1,4 +1,4 @@
-//! Windows that are killed while they write down what they show.
+//! Windows that are killed while they store their figures.
 
 use camera_lab::gui::kit::frames::frames;
 use std::fs;
@@ -38,7 +38,7 @@ pub(crate) fn keep_for_ever(folder: &Path) {
 }
 
 #[test]
-fn what_killed_windows_showed_comes_back_one_after_the_other() {
+fn figures_of_killed_windows_come_back_one_after_the_other() {
     let (since, mut kills) = (Instant::now(), 0);
     for moment in moments().take_while(|_| since.elapsed() < time_to_kill()) {
         let folder = Folder::new("sessions");
@@ -65,7 +65,7 @@ fn what_killed_windows_showed_comes_back_one_after_the_other() {
 }
 
 #[test]
-fn on_a_full_disk_it_is_said_and_tried_again() {
+fn on_a_full_disk_a_message_appears_and_saving_is_tried_again() {
     let Some(disk) = small_disk() else { return };
     let folder = disk.join("sessions");
     let ctx = egui::Context::default();

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Compiles a sheet of all exercises in both languages, with and without answers: tests/sheet/compile.sh [CAMERA_LAB [FOLDER]]
-# Says how many pages each has, and fails where LaTeX does, or where a line is wider than the page.
+# Prints the number of pages of each, and fails if LaTeX does, or if a line is wider than the page.
 set -eu
 program=$(realpath "${1:-$(dirname "$0")/../../target/debug/camera-lab}")
 if ! command -v pdflatex >/dev/null; then

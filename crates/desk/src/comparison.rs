@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_that_differ_are_told_apart_with_a_few_around_them() {
+    fn differing_lines_are_marked_with_a_few_around_them() {
         let theirs = "a\nb\nc\nd\nnear = 1\ne\nf\ng\nh\ni\nj\nk\n";
         let mine = "a\nb\nc\nd\nnear = 2\ne\nf\ng\nh\ni\nj\nk\nl\n";
         let lines = Comparison::new(theirs, mine).lines;

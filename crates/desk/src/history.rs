@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_the_same_number_is_not_compared() {
+    fn scenes_with_the_same_number_are_not_compared() {
         let (mut history, figure, camera) = history(3);
         // A scene that is only declared the same, because it hasn't been compared.
         let mut other = figure.clone();

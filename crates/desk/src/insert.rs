@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_are_rounded_to_what_reads_well() {
+    fn places_are_rounded_to_readable_numbers() {
         assert_eq!(rounded(DVec3::new(0.123, -0.04, 12.0), 0.1), DVec3::new(0.1, 0.0, 12.0));
         assert_eq!(rounded(DVec3::new(1234.0, 5.0, -77.0), 20.0), DVec3::new(1230.0, 10.0, -80.0));
         assert_eq!(rounded(DVec3::new(1.5, 0.0, 0.0), 0.0), DVec3::new(1.5, 0.0, 0.0));

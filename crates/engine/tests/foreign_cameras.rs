@@ -117,7 +117,7 @@ fn text(m: DMat4, by_columns: bool, in_lines: bool, digits: Option<usize>) -> St
     if in_lines { lines.join("\n") } else { format!("[{}]", lines.join(", ")) }
 }
 
-/// By how much a camera that was read differs from the right one, in what its kind holds.
+/// The difference between a camera that was read and the right one, in the parameters that its kind holds.
 fn difference(read: &Candidate, right: &Camera) -> f64 {
     let found = Camera::new(&read.found.parameters).unwrap();
     let mut worst = 0.0_f64;
@@ -168,7 +168,7 @@ fn the_table_of_axes_is_that_of_the_programs() {
     }
 }
 
-/// How many random cameras: a few hundred take seconds; `.ci/release` asks for 10,000.
+/// The number of random cameras. A few hundred take seconds, and `.ci/release` asks for 10,000.
 fn cases() -> u32 {
     std::env::var("CAMERA_LAB_CASES").ok().and_then(|count| count.parse().ok()).unwrap_or(200)
 }
@@ -308,7 +308,7 @@ fn files_of_other_programs_are_read() {
     // t = (0, 0, 4), R = diag(1, −1, −1): C = −Rᵀt = (0, 0, 4).
     assert_pose(&first, [0.0, 0.0, 4.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]);
     assert!((first.found.parameters.view_angle - 2.0 * 0.48_f64.atan().to_degrees()).abs() < 1e-9);
-    // glTF: a quarter turn about y looks along −x; the camera hangs on a node.
+    // glTF: a quarter turn about y looks along −x, and the camera hangs on a node.
     let h = 0.5_f64.sqrt();
     let gltf = format!(
         r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
@@ -320,7 +320,7 @@ fn files_of_other_programs_are_read() {
     let p = eye.found.parameters;
     assert!((p.view_angle - 0.7_f64.to_degrees()).abs() < 1e-12);
     assert_eq!((p.aspect, p.near, p.far), (1.5, 0.25, 40.0));
-    // KITTI: the second camera stands 0.5 to the right; four lenses in a file.
+    // KITTI: the second camera stands 0.5 to the right. Four lenses are in a file.
     let row = |x: f64| format!("700 0 600 {x} 0 700 180 0 0 0 1 0");
     let kitti = format!(
         "P0: {}\nP1: {}\nR0_rect: 1 0 0 0 1 0 0 0 1\nTr_velo_to_cam: 0 -1 0 0 0 0 -1 0 1 0 0 0",
@@ -403,7 +403,7 @@ fn the_range_of_ndc_is_the_one_in_which_f_is_short() {
     }
 }
 
-/// A word of the text decides where numbers can't: a level camera in a world whose y points down.
+/// A word of the text decides if numbers can't: a level camera in a world whose y points down.
 #[test]
 fn words_of_the_text_decide() {
     let camera = camera_of([1.0, 2.0, 4.0]);

@@ -374,7 +374,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_mathematics_is_named() {
+    fn commands_that_are_not_mathematics_are_named() {
         use FormulaProblem as P;
         let word = |text: &str| P::Word(text.to_owned());
         for (formula, problem) in [
@@ -438,7 +438,7 @@ mod tests {
     proptest! {
         /// Every accepted formula has only listed control words, and is balanced.
         #[test]
-        fn what_is_let_through_is_made_of_what_is_listed(
+        fn accepted_formulas_hold_only_listed_words(
             parts in prop::collection::vec(prop_oneof![
                 prop::sample::select(WORDS.to_vec()).prop_map(|word| format!("\\{word} ")),
                 prop::sample::select(vec![

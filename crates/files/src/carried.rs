@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_damaged_is_missing_and_what_is_too_long_is_not_unpacked() {
+    fn damaged_files_are_missing_and_too_long_ones_are_not_unpacked() {
         let all = carried(&[("bomb", &vec![0; 1 << 20]), ("good", b"x")]);
         assert_eq!(all.read("bomb", (1 << 20) - 1), Some(Err(ReadProblem::Budget)));
         assert_eq!(all.read("good", 1), Some(Ok(b"x".to_vec())));

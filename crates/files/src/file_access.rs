@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_mesh_names_comes_from_its_folder_and_below() {
+    fn files_of_a_mesh_come_from_its_folder_and_below() {
         let directory = Directory::new("reach");
         let root = directory.path();
         fs::create_dir_all(root.join("figure/meshes/deep")).unwrap();

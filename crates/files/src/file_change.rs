@@ -53,7 +53,7 @@ mod tests {
     use crate::testing::Directory;
 
     #[test]
-    fn what_another_program_wrote_is_found_and_what_it_only_touched_is_not() {
+    fn changed_files_are_found_and_merely_touched_ones_are_not() {
         let directory = Directory::new("look");
         let path = directory.path().join("a.toml");
         assert_eq!(look(&path, b"mine", None), FileChange::Gone);

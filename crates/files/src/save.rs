@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_saved_leaves_nothing_behind() {
+    fn a_failed_save_leaves_nothing_behind() {
         let directory = Directory::new("refused");
         assert!(matches!(save_writable(directory.path(), b"x"), Err(FileError::Directory)));
         let nowhere = directory.path().join("no/such/place.toml");
@@ -345,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_killed_program_left_is_removed_and_what_is_being_written_is_not() {
+    fn leftovers_of_a_killed_program_go_and_files_being_written_stay() {
         let directory = Directory::new("left-over");
         let minutes_ago = SystemTime::now() - Duration::from_secs(600);
         let file = |name: &str, time| {
@@ -372,7 +372,7 @@ mod tests {
 
     #[cfg(target_os = "linux")]
     #[test]
-    fn what_a_process_left_that_is_gone_need_not_be_old() {
+    fn leftovers_of_a_process_that_is_gone_need_not_be_old() {
         let directory = Directory::new("gone");
         let mut gone = std::process::Command::new("true").spawn().unwrap();
         gone.wait().unwrap();
@@ -417,7 +417,7 @@ mod tests {
         }
 
         #[test]
-        fn what_only_looks_left_over_is_neither_followed_nor_waited_for() {
+        fn files_that_only_look_left_over_are_not_followed_or_waited_for() {
             let directory = Directory::new("looks-left-over");
             let place = |name: &str| directory.path().join(name);
             fs::write(place("mine"), "mine").unwrap();

@@ -103,7 +103,7 @@ mod tests {
     const TEXT: &str = "# Ângulo θ\n[camera]\nnear = 0.5\n";
 
     #[test]
-    fn what_is_put_into_a_link_comes_out_again_and_needs_no_quoting() {
+    fn a_link_gives_its_text_back_and_needs_no_quoting() {
         for address in
             ["", "https://example.org/lab/", "https://example.org/lab/?view=image&lang=pt-BR", "file:///a%20b.html"]
         {
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_long_is_said_and_a_small_link_cannot_hold_a_huge_text() {
+    fn too_long_a_link_is_refused_and_a_small_one_cannot_hold_a_huge_text() {
         // Incompressible data: the digits of a simple generator.
         let mut state = 1_u32;
         let digits: String = (0..20_000)

@@ -152,7 +152,7 @@ mod tests {
     use crate::testing::Directory;
 
     #[test]
-    fn only_what_the_figure_shows_travels() {
+    fn only_the_files_of_the_figure_travel() {
         let directory = Directory::new("travel");
         let file = |name: &str, bytes: &[u8]| std::fs::write(directory.path().join(name), bytes).unwrap();
         file("m.obj", b"mtllib m.mtl\nmtllib secret.txt\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");

@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn devices_are_told_from_files_that_look_like_them() {
+    fn devices_differ_from_files_that_look_like_them() {
         for name in
             ["con", "NUL.toml", "aux.figure.png", "Com1.toml", "lpt³", "nul .toml", "a.toml:b", "lecture/PRN/x.toml"]
         {

@@ -437,7 +437,7 @@ mod tests {
     }
 
     #[test]
-    fn a_matrix_has_rows_where_it_stands_in_a_text_too() {
+    fn a_matrix_has_rows_in_the_middle_of_a_text_too() {
         let row = |row: [&str; 2]| row.map(str::to_owned).to_vec();
         let matrix = "\\begin{bmatrix} 1 & 0{,}5 \\\\ 0 & -1 \\end{bmatrix}";
         for text in

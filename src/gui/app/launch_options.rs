@@ -98,7 +98,7 @@ mod tests {
     use crate::gui::State;
 
     #[test]
-    fn an_address_says_what_is_shown_and_what_it_does_not_know_is_told() {
+    fn an_address_sets_options_and_reports_unknown_ones() {
         let (asked, unknown) = LaunchOptions::of_query("?view=image&panels=none&lang=pt-BR&theme=dark");
         assert_eq!(unknown, [""; 0]);
         let all = LaunchOptions {

@@ -34,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_typed_before_and_after_a_tab_comes_in_frames_of_its_own() {
+    fn text_before_and_after_a_tab_comes_in_separate_frames() {
         let tab = || Event::Key {
             key: Key::Tab,
             physical_key: None,

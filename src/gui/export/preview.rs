@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_larger_than_its_room_is_reduced_to_it() {
+    fn a_preview_larger_than_its_room_is_reduced() {
         for (size, expected) in [([6000, 3000], 0.12), ([960, 960], 0.5), ([64, 48], 1.0)] {
             assert_eq!(factor(size, [720.0, 480.0]), expected);
         }

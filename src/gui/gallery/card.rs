@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn a_figure_file_says_what_it_is_in_its_first_comment() {
+    fn the_first_comment_of_a_figure_file_describes_it() {
         assert_eq!(first_comment("\n# A house\n#  by the sea.\n\n# Not this.\n[camera]\n"), "A house by the sea.");
         assert_eq!(first_comment("[camera]\n# late\n"), "");
     }

@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_pasted_is_cut_where_no_field_has_room_for_it() {
+    fn pasted_text_is_cut_if_no_field_has_room_for_it() {
         let long = "θ".repeat(10 * MAX_TYPED);
         let mut events = [Event::Paste(long.clone()), Event::Text(long), Event::Paste("θ = 45°".to_owned())];
         cut_pasted(&mut events);

@@ -103,7 +103,7 @@ impl Canvas {
         let request = Request { hover: Hover::default(), size, ..request };
         let digits = model.settings.digits;
         let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;
-        let at = (asks || self.card.is_placed_anew()).then(|| {
+        let at = (asks || self.card.is_placed_again()).then(|| {
             let pick = PickRequest { request: request.clone(), what: PickQuery::At(probe) };
             self.probe_picker.ask(ctx, pick)
         });
@@ -186,20 +186,20 @@ impl CardPlace {
             self.settles = if probe.is_some() { FRAMES } else { 0 };
         } else if room != self.room && !self.is_moved && probe.is_some() {
             self.settles = FRAMES;
-        } else if !self.is_placed_anew() {
+        } else if !self.is_placed_again() {
             self.is_moved |= at != self.at;
         }
         (self.room, self.at) = (room, at);
     }
 
-    fn is_placed_anew(&self) -> bool {
+    fn is_placed_again(&self) -> bool {
         self.settles > 0
     }
 
     /// The new position, in the corner of the pictures farthest from all their marks of the probe and of C. `None` if
     /// it has its place, and while the point of the probe is unknown, as in a heavy scene.
     fn place(&mut self, ctx: &Context, panes: &[Pane], point: Option<DVec3>) -> Option<Pos2> {
-        let point = point.filter(|_| self.is_placed_anew())?;
+        let point = point.filter(|_| self.is_placed_again())?;
         self.settles -= 1;
         ctx.request_repaint();
         // Nor does it cover the camera, where the rays and triangles of the probe meet.
@@ -248,7 +248,7 @@ mod tests {
     use eframe::egui::pos2;
 
     #[test]
-    fn a_card_stands_in_the_corner_that_is_farthest_from_what_it_speaks_of() {
+    fn a_card_stands_in_the_corner_farthest_from_its_point() {
         let room = Rect::from_min_size(pos2(10.0, 20.0), vec2(800.0, 600.0));
         let size = vec2(200.0, 100.0);
         let (left, right, top, bottom) = (18.0, 602.0, 28.0, 512.0);

@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn long_work_is_told_after_half_a_second_and_given_up_with_escape() {
+    fn long_work_shows_after_half_a_second_and_escape_cancels_it() {
         let (ctx, mut state) = (egui::Context::default(), State::new(Start::default()).expect("a camera"));
         let mut canvas = Canvas::default();
         let path = PathBuf::from("a.png");

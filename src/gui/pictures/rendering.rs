@@ -263,7 +263,7 @@ mod tests {
     }
 
     #[test]
-    fn what_took_long_is_not_waited_for() {
+    fn slow_pictures_are_not_waited_for() {
         let ctx = egui::Context::default();
         let mut rendering = Rendering { cost: [Duration::from_secs(1); MAX_PICTURES], ..Rendering::default() };
         rendering.ask(&ctx, job(40));
@@ -321,7 +321,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_given_up_is_begun_anew_by_another_picture_and_not_by_what_is_pointed_at() {
+    fn a_cancelled_drawing_restarts_for_another_picture_not_for_the_pointer() {
         let waiting = || {
             async |job: RenderJob, progress: &Progress| {
                 while !progress.is_cancelled() {
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
+    fn without_threads_pictures_are_drawn_in_the_frame() {
         let ctx = egui::Context::default();
         let worker = drawing(ShadowMaps::default()).without_thread(&frames(&ctx));
         let mut rendering = Rendering { worker, ..Rendering::default() };
@@ -393,7 +393,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_without_pixels_is_said_to_be_none() {
+    fn a_picture_without_pixels_is_missing() {
         let mut rendering = Rendering::default();
         rendering.ask(&egui::Context::default(), job(0));
         assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(Err(Missing::NotDrawn))));

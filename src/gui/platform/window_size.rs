@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn a_window_opens_where_the_last_one_was_if_that_is_on_the_screen() {
+    fn a_window_opens_at_the_last_place_if_that_is_on_the_screen() {
         let screen = Some(vec2(1920.0, 1080.0));
         let last = |at, maximized| Some(WindowPlace { at, size: [1000, 700], maximized });
         let size = ViewportCommand::InnerSize(vec2(1000.0, 700.0));

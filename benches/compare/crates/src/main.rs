@@ -1,9 +1,9 @@
 //! Crates drawing the same mesh with the same camera: `compare FIGURE.toml CAMERA_LAB CRATE [FRAMES]`
 //!
 //! `euc` and `retrofire` draw its faces. A frame is: clear colour and depth, draw. `vello_cpu` and `tiny-skia` draw its
-//! edges as smooth strokes, each singly or, with `-one` after the name, all as one path; the ends of the strokes are
-//! computed beforehand. All draw on one thread into a buffer in memory, where their users read the pixels. Prints one
-//! JSON object in the form of `camera-lab bench`.
+//! edges as smooth strokes, each singly or, with `-one` after the name, all as one path. The ends of the strokes are
+//! computed beforehand. All draw on one thread into a buffer in memory, in which their users read the pixels. Prints
+//! one JSON object in the form of `camera-lab bench`.
 
 use std::process::Command;
 use std::time::Instant;
@@ -17,7 +17,7 @@ use retrofire_core::util::Buf2;
 
 const COLOR: [f32; 3] = [0x44 as f32 / 255.0, 0x77 as f32 / 255.0, 0xaa as f32 / 255.0];
 
-/// What both crates draw.
+/// The mesh and camera that both crates draw.
 struct Job {
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,

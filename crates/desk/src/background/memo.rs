@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_given_up_is_not_taken_for_the_answer_to_the_same_question() {
+    fn a_cancelled_job_does_not_answer_the_same_question() {
         // The first answer comes when it's given up.
         let mut latest = Latest::new("waiting", || {
             let mut answers = 0;
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn where_answering_panics_there_is_no_answer_and_nothing_is_waited_for() {
+    fn if_a_job_panics_there_is_no_answer_and_no_waiting() {
         let mut latest = Latest::new("dividing", || async |n: &u32, _: &Progress| 12 / n);
         latest.ask(&(), 0);
         assert_eq!((latest.take(MINUTE), latest.waiting(), latest.answer()), (None, None, None));

@@ -359,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn a_panic_resets_what_does_the_work_on_a_thread_and_in_the_frame() {
+    fn a_panic_resets_the_worker_on_a_thread_and_in_the_frame() {
         for mut worker in [doubling::<1>(), doubling::<1>().without_thread(&())] {
             assert_eq!(one(&mut worker, 4), Some((8, 1)));
             assert_eq!(one(&mut worker, 5), Some((10, 2)));
@@ -382,7 +382,7 @@ mod tests {
     }
 
     #[test]
-    fn in_the_frames_heavy_jobs_are_told_before_and_others_come_in_between() {
+    fn heavy_jobs_in_frames_are_announced_and_others_come_in_between() {
         static NOW: Mutex<Duration> = Mutex::new(Duration::ZERO);
         // Each job takes as many milliseconds as its number.
         let mut worker: Worker<u64, u64, 3> = Worker::new(
@@ -482,7 +482,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_given_up_ends_soon_and_what_is_asked_for_then_is_done() {
+    fn a_cancelled_job_ends_soon_and_the_next_one_is_done() {
         let mut worker: Worker<bool, bool, 2> = Worker::new("waiting", clock::now, || {
             async |waits, progress: &Progress| {
                 while waits && !progress.is_cancelled() {

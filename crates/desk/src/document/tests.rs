@@ -8,7 +8,7 @@ fn azimuth(degrees: f64) -> Operation {
 }
 
 #[test]
-fn undo_covers_what_was_chosen_to_be_shown_and_not_what_was_pointed_at_or_plays() {
+fn undo_covers_chosen_options_and_not_hover_or_playback() {
     use crate::figure::{ShownProbe, ShownStep};
     use crate::stage::Stage;
     use glam::DVec3;
@@ -114,7 +114,7 @@ fn every_change_makes_another_document_and_how_it_is_seen_does_not() {
 }
 
 #[test]
-fn undo_and_redo_keep_what_the_camera_knows_beyond_its_parameters() {
+fn undo_and_redo_keep_the_cameras_rounding_errors() {
     let mut document = Document::new(Figure::default(), None).unwrap();
     let before = document.camera().clone();
     let mut cameras = vec![before.clone()];
@@ -138,7 +138,7 @@ fn undo_and_redo_keep_what_the_camera_knows_beyond_its_parameters() {
 }
 
 #[test]
-fn what_is_not_a_camera_cannot_be_operated_on_and_stays_as_it_was_typed() {
+fn an_impossible_camera_stays_as_typed_and_takes_no_operation() {
     let mut document = Document::new(Figure::default(), None).unwrap();
     document.set_parameters(Parameters { near: 1e9, ..*document.draft() });
     let typed = *document.draft();

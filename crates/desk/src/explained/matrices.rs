@@ -135,7 +135,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_has_changed_glows_for_a_second_and_another_matrix_does_not() {
+    fn changed_entries_glow_for_a_second_and_another_matrix_does_not() {
         let mut glow = Glow::default();
         let mut values = [[1.0; 4]; 4];
         glow.follow((Matrix::View, None), values, 0.0);

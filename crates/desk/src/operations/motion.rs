@@ -95,7 +95,7 @@ mod tests {
     use crate::camera::Parameters;
 
     #[test]
-    fn arrows_say_what_the_eye_sees_under_both_conventions() {
+    fn arrow_keys_agree_with_the_view_under_both_conventions() {
         let camera = Camera::new(&Parameters::default()).unwrap();
         let at = |freedom, forwards, convention| arrow(&camera, freedom, forwards, convention);
         let right_hand = Convention::RightHand;

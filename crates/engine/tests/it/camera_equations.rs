@@ -47,7 +47,7 @@ fn eq_5_2_direction_of_projection_and_distance() {
 
 #[test]
 fn eq_5_3_basis_of_exercise_5_1() {
-    // The exercise gives (0, 1, 0) as v; it is not perpendicular to n = (3/5, 4/5, 0), so it is a VUP.
+    // The exercise gives (0, 1, 0) as v. It is not perpendicular to n = (3/5, 4/5, 0), so it is a VUP.
     let camera = camera(|p| p.position = DVec3::new(3.0, 4.0, 0.0));
     let basis = camera.basis();
     assert_eq!(basis.n, DVec3::new(0.6, 0.8, 0.0));
@@ -146,7 +146,7 @@ fn eq_5_16_parallel_matrix_symmetric() {
 
 #[test]
 fn corners_lie_on_the_near_and_on_the_far_plane() {
-    // §5.3.2 says −F for the back face; it lies at −B, where (l, b) has grown to (B l / F, B b / F).
+    // §5.3.2 says −F for the back face. It lies at −B, the depth at which (l, b) has grown to (B l / F, B b / F).
     let corners = off_axis(Projection::Perspective).volume_corners();
     assert_eq!(corners[0], DVec3::new(-1.0, -2.0, 3.0));
     assert_eq!(corners[2], DVec3::new(3.0, 1.0, 3.0));
@@ -348,7 +348,7 @@ fn pyramid_of_the_exercises_on_spaces() {
 }
 
 #[test]
-fn the_table_of_equations_names_what_exists() {
+fn the_table_of_equations_names_existing_tests() {
     let mut open: Vec<PathBuf> = ["crates", "tests/it"].map(|path| Path::new(ROOT).join(path)).into();
     let mut sources = String::new();
     while let Some(path) = open.pop() {

@@ -46,7 +46,7 @@ fn vtk_turns_elevation_and_roll_the_other_way() {
 }
 
 #[test]
-fn operations_change_what_they_say_and_nothing_else() {
+fn operations_change_only_the_values_they_name() {
     let before = camera(|_| ());
     for text in ["elevation=7", "azimuth=7", "roll=7", "yaw=7", "pitch=7", "zoom=1.7", "dolly=1.7", "pan=0.7,-0.2"] {
         let operation: Operation = text.parse().unwrap();
@@ -67,7 +67,7 @@ fn operations_change_what_they_say_and_nothing_else() {
 }
 
 #[test]
-fn the_axis_goes_through_what_does_not_move() {
+fn the_axis_goes_through_the_fixed_points() {
     let camera = camera(|p| p.focal_point = DVec3::new(1.0, 0.5, -2.0));
     let basis = camera.basis();
     for (text, pivot, direction) in [
@@ -127,7 +127,7 @@ fn steps_of_a_full_circle_lead_back_bit_for_bit() {
 
 #[test]
 fn chains_round_once() {
-    // Out and in again by a factor that is no power of two; the angle passes within 1e-4 degrees of 180 on its way.
+    // Out and in again by a factor that is no power of two. The angle passes within 1e-4 degrees of 180 on its way.
     let start = camera(|_| ());
     assert_eq!(
         apply(&start, "zoom=3e-7 zoom=7 zoom=0.3 azimuth=12").view_angle(),
@@ -172,7 +172,7 @@ fn a_small_angle_between_view_up_and_direction_survives_a_tour() {
 }
 
 #[test]
-fn switching_the_projection_keeps_what_is_seen_at_the_focal_point() {
+fn switching_the_projection_keeps_the_view_at_the_focal_point() {
     let perspective = camera(|p| (p.view_angle, p.near) = (90.0, 0.5));
     let parallel = perspective.with_projection(Projection::Parallel).unwrap();
     assert_close(parallel.parameters().height, 2.0 * perspective.distance());

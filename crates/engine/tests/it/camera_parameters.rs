@@ -1,4 +1,4 @@
-//! Which parameters are a camera, and what is said about those that are not, or hardly.
+//! Parameters that are a camera, and the errors and warnings of those that are not, or hardly.
 
 use camera_lab_engine::camera::{
     Camera, CameraError, Derived, ImageSize, ParameterKey, Parameters, Projection, Range, ViewWindow, Warning,
@@ -187,7 +187,7 @@ fn numbers_that_overflow_are_errors() {
 }
 
 #[test]
-fn what_overflows_follows_from_the_numbers_that_the_projection_uses() {
+fn an_overflow_names_the_numbers_that_the_projection_uses() {
     let keys = |found: CameraError| match found {
         CameraError::Overflow { keys, .. } => keys.iter().map(|key| key.name()).collect::<Vec<_>>(),
         other => panic!("{other:?}"),
@@ -213,7 +213,7 @@ fn ordinary_cameras_have_no_warnings() {
 }
 
 #[test]
-fn warnings_say_what_is_probably_not_meant() {
+fn warnings_name_probable_mistakes() {
     let codes =
         |change: fn(&mut Parameters)| -> Vec<&str> { camera(change).warnings().iter().map(Warning::code).collect() };
     assert_eq!(codes(|p| p.view_up = p.position + DVec3::X * 1e-10), ["view-up-nearly-collinear"]);
@@ -248,7 +248,7 @@ fn warnings_begin_where_they_say() {
     assert_eq!(codes(|p| (p.near, p.far) = (1.0, 5.0)), [""; 0]);
     assert_eq!(codes(|p| p.view_angle = 120.0), [""; 0]);
     assert_eq!(codes(|p| p.view_angle = 120.001), ["wide-angle"]);
-    // A step at B is B (B − F) / F 2⁻²⁴: a hundredth of B where (B − F) / F = 167772.16.
+    // A step at B is B (B − F) / F 2⁻²⁴: a hundredth of B if (B − F) / F = 167772.16.
     assert_eq!(codes(|p| (p.near, p.far) = (1.0, 167_772.9)), [""; 0]);
     assert_eq!(codes(|p| (p.near, p.far) = (1.0, 167_773.5)), ["depth-precision"]);
     let away = |p: &mut Parameters, x: f64| (p.position, p.focal_point) = (DVec3::new(x, 0.0, 2.0), DVec3::X * x);

@@ -1,4 +1,4 @@
-//! The way from one camera to another: exact ends, cameras in between, and arcs about what stays.
+//! The way from one camera to another: exact ends, cameras in between, and arcs about fixed points.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -104,7 +104,7 @@ fn half_of_an_operation_is_an_operation() {
 }
 
 #[test]
-fn what_stays_stays_exactly() {
+fn fixed_points_stay_exactly() {
     let from = camera(|p| p.focal_point = DVec3::new(0.1, 0.2, 0.3));
     for share in SHARES {
         let orbit = CameraPath::new(&from, &apply(&from, "azimuth=77 elevation=12 dolly=1.7")).unwrap();

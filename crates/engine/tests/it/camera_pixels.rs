@@ -77,7 +77,8 @@ fn a_point_on_a_border_of_pixels_is_known_through_the_rounding_of_the_basis() {
     }
 }
 
-/// PF stays in the middle of the image while the camera goes round it, far from the origin as well, where C is rounded.
+/// PF stays in the middle of the image while the camera goes round it, far from the origin as well, although C is
+/// rounded there.
 #[test]
 fn the_focal_point_stays_in_the_middle_while_the_camera_goes_round_it() {
     for away in [0.0, 1e3, 1e6] {
@@ -99,7 +100,7 @@ fn the_focal_point_stays_in_the_middle_while_the_camera_goes_round_it() {
 }
 
 #[test]
-fn what_rounding_took_from_the_position_is_known_to_the_pipeline() {
+fn the_pipeline_knows_the_rounding_error_of_the_position() {
     let start = camera(|p| {
         p.focal_point = DVec3::new(1e6, 1e6, 0.0);
         p.position = p.focal_point + DVec3::new(1.0, 2.0, 5.0);
@@ -119,20 +120,20 @@ fn the_aspect_of_an_image_is_its_width_by_its_height() {
 }
 
 #[test]
-fn a_point_in_the_plane_of_the_eye_is_there_through_the_rounding_of_its_coordinates() {
+fn a_point_in_the_plane_of_the_eye_stays_there_despite_rounding() {
     // Exercise 5.1: C + u + v = (2.2, 4.6, −1), of which no `f64` holds the first two.
     let camera = camera(|p| p.position = DVec3::new(3.0, 4.0, 0.0));
     let at = |point| camera.stations(point, IMAGE, &Viewport::whole(IMAGE));
     let s = at(DVec3::new(2.2, 4.6, -1.0));
     assert_eq!((s.clip.w, s.projected, s.inside), (0.0, None, false));
     assert_eq!(s.view.z, -1.776_356_839_400_250_5e-16, "every digit of what the rounded coordinates say");
-    // What cannot come from rounding is a depth: two units in the last place, towards the eye and away from it.
+    // A depth that rounding cannot explain: two units in the last place, towards the eye and away from it.
     for (x, sign) in [(2.2_f64.next_down().next_down().next_down(), -1.0), (2.2 + 1e-14, 1.0)] {
         let s = at(DVec3::new(x, 4.6, -1.0));
         assert_eq!(s.view.z.signum(), sign, "{x}");
         assert!(s.clip.w != 0.0 && s.projected.is_some());
     }
-    // Where coordinates are whole numbers far away, what they say is what is meant: one unit in the last place is seen.
+    // If coordinates are whole numbers far away, they are meant exactly: one unit in the last place is seen.
     let far = crate::common::camera::camera(|p| {
         p.position = DVec3::new(0.0, 0.0, 1e15);
         p.focal_point = DVec3::new(0.0, 0.0, 1e15 - 8.0);

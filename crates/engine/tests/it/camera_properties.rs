@@ -1,4 +1,4 @@
-//! Properties of every camera, tried on cameras that are made to break it; and glam's cameras as a second opinion.
+//! Properties of every camera, tried on cameras that are made to break it, with glam's cameras as a second opinion.
 
 use camera_lab_engine::camera::{Camera, Convention, ImageSize, Operation, Parameters, Projection, Viewport};
 use camera_lab_engine::geometry::Angle;
@@ -99,14 +99,14 @@ proptest! {
             let y = if i % 4 < 2 { -1.0 } else { 1.0 };
             let z = if i < 4 { -1.0 } else { 1.0 };
             let ndc = s.projected.map(|p| p.ndc).unwrap_or(DVec3::NAN);
-            // A corner is rounded where it stands, and the window may be a hundredth of that.
+            // A corner is rounded at its own place, and the window may be a hundredth of that.
             let tolerance = 1e-10;
             prop_assert!((ndc - DVec3::new(x, y, z)).abs().max_element() < tolerance, "{i}: {ndc}");
         }
     }
 
     #[test]
-    fn inside_is_what_the_clip_coordinates_say(camera in any_camera(), p in any_vector(12.0), t in -0.5..1.5, along in 0usize..8) {
+    fn inside_agrees_with_the_clip_coordinates(camera in any_camera(), p in any_vector(12.0), t in -0.5..1.5, along in 0usize..8) {
         let corners = camera.volume_corners();
         for point in [p, camera.position() + p, corners[along], corners[along].lerp(corners[(along + 3) % 8], t)] {
             if !point.is_finite() {
@@ -228,7 +228,8 @@ proptest! {
     #[test]
     fn glam_has_the_same_matrices(camera in plain_camera()) {
         let view = dcamera::rh::view::look_at_mat4(camera.position(), camera.focal_point(), camera.view_up());
-        // The textbook formulas lose what the angle between VUP and DOP and the distance from the origin cost.
+        // The textbook formulas lose the digits that the angle between VUP and DOP and the distance from the origin
+        // cost.
         let tolerance = 1e-11 * size(&view);
         for (a, b) in view.to_cols_array().into_iter().zip(camera.view_from_world().to_cols_array()) {
             prop_assert!((a - b).abs() <= tolerance, "{view} {}", camera.view_from_world());
@@ -256,7 +257,7 @@ mod camera {
         camera_lab_engine::geometry::try_unit(v).unwrap_or(DVec3::NAN)
     }
 
-    /// The same numbers, but for what lies beyond 106 bits of the greatest of those that they were made of.
+    /// The same numbers, except for digits beyond 106 bits of the greatest of their terms.
     pub(super) fn same(a: DVec3, b: DVec3, size: f64) -> bool {
         (a - b).abs().max_element() <= size * 1e-28
     }

@@ -30,7 +30,7 @@ fn holds(text: &str, kind: MatrixKind, k: [f64; 4], size: [u32; 2], position: Op
     }
 }
 
-/// The head of the sample of `calibrateCamera`, where twelve numbers of poses follow K.
+/// The head of the sample of `calibrateCamera`, in which twelve numbers of poses follow K.
 const OPENCV: &str = "%YAML:1.0
 ---
 calibration_time: \"Mon 02 Jan 2023 10:00:00\"

@@ -1,5 +1,5 @@
-//! Mesh files of all kinds: what they have in common. What OBJ and glTF files become, and how broken ones are refused,
-//! is beside this.
+//! Mesh files of all kinds: their common rules. The results of OBJ and glTF files, and the refusal of broken ones, are
+//! beside this.
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! glTF files: what they become, and that broken ones are refused with the place of the fault.
+//! glTF files: their objects, and that broken ones are refused with the place of the fault.
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use base64::Engine as _;
@@ -122,7 +122,7 @@ fn missing_normals_are_computed_and_strips_and_fans_turn_one_way() {
 }
 
 /// A triangle at z = 0 whose accessor of positions is written as `accessor`, and the bytes behind it: two views, of
-/// three points and of what sparse accessors hold.
+/// three points and of the contents of sparse accessors.
 fn sparse_triangle(accessor: &str, sparse: &[u8]) -> Result<Scene, MeshError> {
     let points = [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let mut bytes: Vec<u8> = points.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();

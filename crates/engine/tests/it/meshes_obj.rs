@@ -1,4 +1,4 @@
-//! OBJ files: what they become, and that broken ones are refused with the line.
+//! OBJ files: their objects, and that broken ones are refused with the line.
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab_engine::appearance::Rgba;
@@ -81,9 +81,9 @@ fn materials_that_alternate_make_one_part_each_in_the_order_of_the_file() {
     assert_eq!(last, [DVec3::ZERO, DVec3::Y, DVec3::Z]);
 }
 
-/// Names may hold a slash: it is not the name that tells what a part belongs to.
+/// Names may hold a slash, so the name does not decide which object a part belongs to.
 #[test]
-fn a_part_belongs_to_its_object_also_where_another_object_is_called_like_it() {
+fn a_part_keeps_its_object_even_if_another_object_has_its_name() {
     let text = b"o block\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no lid\nf 1 3 2\n";
     let mut both = spec("m.obj");
     both.objects[0].name = "engine".to_owned();
@@ -129,7 +129,7 @@ fn several_objects_and_materials_become_several_parts() {
     assert_eq!(found[2].0, "m/second part");
     assert_eq!(found.len(), 3);
 
-    // Without the library the shape is there all the same; a colour of the figure wins.
+    // Without the library the shape is there all the same. A colour of the figure wins.
     assert_eq!(load("m.obj", &folder([("m.obj", text.as_bytes())])).unwrap().objects.len(), 2);
     let mut own = spec("d/m.obj");
     own.objects[0].color = Some(Rgba::rgb(1, 2, 3));
@@ -185,7 +185,7 @@ fn broken_obj_files_are_refused_with_the_line() {
 
 /// Lines of exporters that readers take: the surface is read, and a notice names the rest.
 #[test]
-fn what_other_programs_write_is_read_with_a_notice() {
+fn files_of_other_programs_are_read_with_a_notice() {
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     let read = |rest: &str| {
         let scene = obj(&format!("{triangle}{rest}")).unwrap();
@@ -215,7 +215,7 @@ fn what_other_programs_write_is_read_with_a_notice() {
     ] {
         let (scene, notices) = read(face);
         assert_eq!(notices, ignored(4, found), "{face}");
-        // Those of its triangle, where the file does not give all.
+        // Those of its triangle, if the file does not give all.
         assert_eq!(only(&scene).mesh.normals, [DVec3::Z; 3], "{face}");
     }
     let (_, notices) = read("f 1//1 2//1 3//1\nvn 0 3 4");
@@ -228,7 +228,7 @@ fn what_other_programs_write_is_read_with_a_notice() {
 }
 
 #[test]
-fn a_material_that_hides_its_object_altogether_is_opaque_and_one_that_does_not_stays() {
+fn a_fully_transparent_material_becomes_opaque_and_others_stay() {
     let text = b"mtllib m.mtl\nusemtl glass\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     let read = |opacity: &str| {
         let library = format!("newmtl glass\nKd 1 0 0\n{opacity}\nnewmtl unused\nTr 1.0\n");
@@ -245,6 +245,6 @@ fn a_material_that_hides_its_object_altogether_is_opaque_and_one_that_does_not_s
 #[test]
 fn a_face_may_come_before_its_points() {
     assert_eq!(obj("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").unwrap().objects.len(), 1);
-    // Also where another object lies between.
+    // Also if another object lies between.
     assert_eq!(obj("o a\nf 1 2 3\no b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 2 1\n").unwrap().objects.len(), 2);
 }

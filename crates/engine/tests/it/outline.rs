@@ -1,4 +1,4 @@
-//! The outlines of curved solids, held against the contours of the ideal surfaces.
+//! The outlines of curved solids, compared with the contours of the ideal surfaces.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -16,7 +16,7 @@ use glam::DVec3;
 
 use crate::common::scenes::{TARGET, shading};
 
-/// Looks at the origin from 6 away; the window is 4 × 2 at the origin, 200 × 100 pixels.
+/// Looks at the origin from 6 away. The window is 4 × 2 at the origin, 200 × 100 pixels.
 fn camera(projection: Projection, direction: DVec3) -> Camera {
     let near = 3.0;
     let half = if projection == Projection::Perspective { 0.5 } else { 1.0 };
@@ -122,7 +122,7 @@ fn a_torus_has_an_outer_and_an_inner_contour() {
     assert!(outline.iter().all(|contour| is_closed(contour)));
     let mut widths = [0, 1].map(|k| outline[k].iter().fold(0.0, |most: f64, [x, _]| most.max(x.abs())));
     widths.sort_by(f64::total_cmp);
-    // Radii 0.7 ± 0.3, times 0.9; parts nearer to the eye look a little larger.
+    // Radii 0.7 ± 0.3, times 0.9. Parts nearer to the eye look a little larger.
     assert!((widths[0] - 0.36).abs() < 0.05 && (widths[1] - 0.9).abs() < 0.08, "{widths:?}");
 }
 
@@ -146,7 +146,7 @@ fn the_canonical_volume_seen_from_its_front_has_the_outline_of_the_image() {
                 let camera = camera(projection, OBLIQUE);
                 let image = outline(&draw(&scene, &camera, TARGET, &Style::default()));
                 let clipped = clipped_scene(&scene, &camera, Shading::Flat);
-                // Where it is cut, it has borders, which the image has not.
+                // If it is cut, it has borders, which the image has not.
                 assert!(scale < 1.0 || !clipped.lines.is_empty(), "{shape:?} {scale}");
                 let canonical = Scene { lines: Vec::new(), ..clipped };
                 let shown = outline(&draw(&canonical, &front, TARGET, &Style::default()));

@@ -1,4 +1,4 @@
-//! Scenes through the pipeline, held against numbers that were worked out by hand.
+//! Scenes through the pipeline, compared with numbers that were worked out by hand.
 
 #![expect(clippy::unwrap_used, reason = "tests")]
 
@@ -19,7 +19,7 @@ fn triangles(drawing: &Drawing) -> usize {
 fn a_cube_before_the_eye_shows_its_front_where_the_notes_say() {
     let scene = only(object(cube(), DMat4::from_translation(DVec3::new(0.0, 0.0, -4.0))));
     let drawing = draw(&scene, &eye(Projection::Perspective), TARGET, &shading(Shading::Flat));
-    // Only the face towards the eye; the sides of a cube in the middle turn away.
+    // Only the face towards the eye, because the sides of a cube in the middle turn away.
     assert_eq!(triangles(&drawing), 2);
     let surface = &drawing.surfaces[0];
     assert_eq!(surface.base, Base::Solid(CLAY), "no light, own colour");
@@ -27,7 +27,7 @@ fn a_cube_before_the_eye_shows_its_front_where_the_notes_say() {
         surface.triangles.iter().flatten().map(|&i| surface.positions[i as usize].map(f64::from)).collect();
     corners.sort_by(|a, b| a.partial_cmp(b).unwrap());
     corners.dedup();
-    // The face is at d = 3: x_p = ±1/3 of a window 4 wide, 50 pixels a unit; depth = F(B − d)/(d(B − F)) = 6/24.
+    // The face is at d = 3: x_p = ±1/3 of a window 4 wide, 50 pixels a unit, and depth = F(B − d)/(d(B − F)) = 6/24.
     let (l, r) = (100.0 - 50.0 / 3.0, 100.0 + 50.0 / 3.0);
     let (t, b) = (50.0 - 50.0 / 3.0, 50.0 + 50.0 / 3.0);
     for (found, expected) in corners.iter().zip([[l, t], [l, b], [r, t], [r, b]]) {
@@ -86,7 +86,7 @@ fn wireframe_has_strokes_and_no_surfaces() {
 }
 
 #[test]
-fn objects_outside_are_not_there_and_what_crosses_stays_in_the_picture() {
+fn objects_outside_are_dropped_and_crossing_ones_stay() {
     let style = shading(Shading::Gouraud);
     for far_away in [DVec3::new(0.0, 0.0, 4.0), DVec3::new(30.0, 0.0, -4.0), DVec3::new(0.0, 0.0, -11.0)] {
         let scene = only(object(cube(), DMat4::from_translation(far_away)));
@@ -124,7 +124,7 @@ fn lines_are_cut_scaled_and_keep_their_arrow_only_at_the_true_end() {
     let arrows: Vec<_> = drawing.strokes.iter().map(|s| (s.style.arrow, s.polylines.len())).collect();
     assert_eq!(arrows, [(true, 1), (false, 2), (true, 1)]);
     assert_eq!(drawing.strokes[0].style.width, 3.0);
-    // From the near plane (depth 1) to d = 2 (7/16); from there to the far plane (depth 0).
+    // From the near plane (depth 1) to d = 2 (7/16), and from there to the far plane (depth 0).
     assert_eq!(drawing.strokes[0].points, [[100.0, 50.0, 1.0], [100.0, 50.0, 0.4375]]);
     assert_eq!(drawing.strokes[1].points[..2], [[100.0, 50.0, 0.4375], [100.0, 50.0, 0.0]]);
     assert_eq!(drawing.strokes[1].points[2..], [[100.0, 50.0, 0.4375], [0.0, 50.0, 0.4375]]);

@@ -204,7 +204,7 @@ proptest! {
 }
 
 #[test]
-fn a_ball_is_inside_where_the_corners_of_its_box_are_not() {
+fn a_ball_is_inside_although_the_corners_of_its_box_are_not() {
     let ball = |radius: f64| {
         let place = DMat4::from_rotation_x(0.7) * DMat4::from_rotation_y(0.6) * DMat4::from_scale(DVec3::splat(radius));
         let scene = Scene { objects: vec![object(primitives::sphere(16), place)], ..Scene::default() };

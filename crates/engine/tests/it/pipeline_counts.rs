@@ -30,7 +30,7 @@ fn counts(frame: &Frame, stage: Stage) -> Option<(usize, usize)> {
 }
 
 #[test]
-fn every_stage_says_what_went_in_and_what_came_out() {
+fn every_stage_counts_its_input_and_its_output() {
     let frame = frame(&cubes(), &shading(Shading::Gouraud));
     let expected = [
         (Stage::Traverse, (3, 3)),
@@ -40,7 +40,7 @@ fn every_stage_says_what_went_in_and_what_came_out() {
         (Stage::Normals, (16, 16)),
         (Stage::Light, (16, 16)),
         (Stage::Transform, (48, 48)),
-        // Two triangles of the first turn to the eye, its front; four of the second, its front and its right side.
+        // Two triangles of the first turn to the eye, its front, and four of the second, its front and its right side.
         (Stage::CullFaces, (24, 6)),
         // The front of the second (d = 3, x ≤ −7) is outside. Its right side (x = −7) is cut at d = 3.5: of the
         // triangle with one corner inside a triangle is left, of that with two a quadrilateral.
@@ -73,7 +73,7 @@ fn flat_shading_lights_faces_and_phong_neither() {
     for without_faces in [Stage::CullFaces, Stage::Light, Stage::Normals] {
         assert_eq!(counts(&wireframe, without_faces), None);
     }
-    // All edges of the two that may be in view, and the line; of the second cube's eight edges, those of its front are
+    // All edges of the two that may be in view, and the line. Of the second cube's eight edges, those of its front are
     // outside.
     assert_eq!(counts(&wireframe, Stage::Lines).map(|(asked, _)| asked), Some(17));
 }

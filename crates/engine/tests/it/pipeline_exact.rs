@@ -17,7 +17,7 @@ use crate::common::scenes::{object, only};
 /// Lengths are whole numbers of this.
 const UNIT: f64 = 1.0 / 1024.0;
 
-/// At the origin, looking along −z; in units.
+/// At the origin, looking along −z, in units.
 #[derive(Clone, Copy, Debug)]
 struct Eye {
     near: i64,
@@ -108,8 +108,8 @@ fn ratio(a: &BigInt, b: &BigInt) -> f64 {
     i128::try_from(quotient).unwrap() as f64 * 2.0_f64.powi(-i32::try_from(shift).unwrap())
 }
 
-/// The part of a triangle in the closed volume: Sutherland and Hodgman without rounding. What is left of one that only
-/// touches the volume has no area, or only two corners.
+/// The part of a triangle in the closed volume: Sutherland and Hodgman without rounding. If a triangle only touches the
+/// volume, the result has no area, or only two corners.
 fn exact_polygon(eye: Eye, triangle: [[i64; 3]; 3]) -> Vec<DVec3> {
     let mut polygon = triangle.map(|p| eye.clip(p)).to_vec();
     for plane in 0..6 {
@@ -212,7 +212,7 @@ fn any_length() -> impl Strategy<Value = i64> {
 
 fn any_corner() -> impl Strategy<Value = [i64; 3]> {
     let anywhere = [any_length(), any_length(), any_length()];
-    // On the planes of a symmetric window: x or y = ±d; before and behind the eye.
+    // On the planes of a symmetric window: x or y = ±d, before and behind the eye.
     let on_planes = (any_length(), prop_oneof![Just(1_i64), Just(-1), Just(0)], any_length(), any::<bool>());
     let on_planes =
         on_planes.prop_map(|(d, side, other, flip)| if flip { [side * d, other, -d] } else { [other, side * d, -d] });
@@ -245,7 +245,7 @@ proptest! {
 }
 
 #[test]
-fn the_exact_clipper_is_right_where_one_can_see_it() {
+fn the_exact_clipper_is_right_in_a_case_worked_out_by_hand() {
     let eye = Eye { near: 1024, far: 9 * 1024, perspective: true, oblique: false };
     // (−1, 0, −2), (1, 0, −2) and a corner behind the eye at (0, 0, 1): cut at z = −1, x = ∓⅔.
     let polygon = exact_polygon(eye, [[-1024, 0, -2048], [1024, 0, -2048], [0, 0, 1024]]);

@@ -1,4 +1,4 @@
-//! The plan: what it says, and that it changes no pixel.
+//! The plan: its reasons, and that it changes no pixel.
 
 #![expect(clippy::unwrap_used, reason = "tests")]
 
@@ -132,7 +132,7 @@ fn said(frame: &Frame, stage: Stage) -> (bool, Reason, Option<(usize, usize)>) {
 }
 
 #[test]
-fn back_faces_that_were_not_dropped_are_not_said_to_be() {
+fn back_faces_that_were_kept_are_not_reported_as_dropped() {
     let (camera, style) = (eye(Projection::Perspective), Style::default());
     // The near plane (z = −1) goes through the first cube: its inside shows.
     let mut scene = only(object(cube(), at(-1.5)));
@@ -173,7 +173,7 @@ fn a_stage_that_was_left_with_no_face_says_so() {
 }
 
 #[test]
-fn light_at_vertices_and_at_pixels_are_told_apart() {
+fn light_at_vertices_and_at_pixels_has_separate_reasons() {
     let mut scene = only(object(cube(), at(-4.0)));
     scene.lights.push(Light::directional(DVec3::NEG_Z));
     let colors = vec![CLAY; scene.objects[0].mesh.positions.len()];

@@ -114,11 +114,11 @@ fn a_line_behind_painted_faces_is_hidden() {
 proptest! {
     #![proptest_config(reproducible(1))]
 
-    /// But for edges: where two faces meet or cross, a pixel's centre may lie on either side of the line that they
-    /// share. The depth buffer compares depths in single precision; a split has corners on the grid of a 256th of a
+    /// Except at edges: if two faces meet or cross, a pixel's centre may lie on either side of the line that they
+    /// share. The depth buffer compares depths in single precision. A split has corners on the grid of a 256th of a
     /// pixel, so that its border strays from the line by as much. Such a pixel has a neighbour of another colour. No
-    /// other may differ, and not 60 of the 6,912: a line through the whole picture has 96, and only if it passes a
-    /// centre by 1/256 can it go wrong; narrow faces, which are all edge, bring some more.
+    /// other may differ, and not 60 of the 6,912, because a line through the whole picture has 96 and can only go wrong
+    /// if it passes a centre by 1/256. Narrow faces, which are all edge, bring some more.
     #[test]
     fn splitting_gives_the_picture_of_the_depth_buffer(
         objects in proptest::collection::vec(any_object(), 2..5),

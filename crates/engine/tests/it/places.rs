@@ -33,7 +33,7 @@ proptest! {
             let projected = stations.projected.unwrap();
             for place in [Place::World(world), Place::Ndc(projected.ndc), Place::Window(projected.window, -stations.view.z)] {
                 let again = space.world_of(IMAGE, &viewport, place).unwrap();
-                // What a last digit of z_n is worth, in the distance.
+                // The worth of a last digit of z_n, in the distance.
                 let per_depth = 1.0 + camera.far() / camera.near();
                 prop_assert!(again.abs_diff_eq(world, 1e-13 * size * per_depth), "{:?} {:?}: {} {}", ndc, place, again, world);
             }

@@ -192,7 +192,7 @@ fn light_at_each_pixel_is_the_formula_at_that_pixel_on_every_base() {
             let found = rgb(&pixmap, x, y);
             for (found, exact) in found.into_iter().zip([exact.r, exact.g, exact.b]) {
                 let exact = f64::from(exact) * f64::from(alpha) / 255.0;
-                // Half a step for rounding once; a little more where a colour was premultiplied before.
+                // Half a step for rounding once, and a little more if a colour was premultiplied before.
                 assert!((f64::from(found) - exact).abs() <= 1.5, "{base:?} ({x}, {y}): {found} and {exact}");
             }
         }

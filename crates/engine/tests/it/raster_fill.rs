@@ -36,7 +36,8 @@ fn a_triangle_covers_exactly_the_pixels_it_owns() {
     for round in 0..400 {
         let triangle = std::array::from_fn(|_| {
             let (x, y) = (random.unit() * 40.0, random.unit() * 24.0);
-            // Anywhere; on quarters of a pixel, where centres lie on edges; on corners and centres of pixels only.
+            // Anywhere, or on quarters of a pixel, so that centres lie on edges, or on corners and centres of pixels
+            // only.
             let [x, y] = match round % 3 {
                 0 => [x, y],
                 1 => [(x * 4.0).round() / 4.0, (y * 4.0).round() / 4.0],
@@ -234,7 +235,7 @@ fn triangles_with_common_edges_cover_each_sample_exactly_once() {
         let mut s = surface(positions, triangles, Base::Solid(Rgba::rgba(0, 0, 0, 128)));
         s.translucent = true;
         let pixmap = paint(&drawing(48, 48, antialias, vec![s]));
-        // White under one coat is 127; no coat would be 255, two 63.
+        // White under one coat is 127, no coat would be 255, two 63.
         for (k, pixel) in pixmap.pixels().iter().enumerate() {
             assert_eq!(pixel.red(), 127, "pixel ({}, {}), {cells} cells, {antialias} samples", k % 48, k / 48);
         }
@@ -330,12 +331,12 @@ fn measuring() -> Rasterizer {
 }
 
 #[test]
-fn what_is_counted_is_what_happens() {
+fn counts_agree_with_the_work_done() {
     let mut random = Random(71);
     for (cells, samples) in [(4, 1), (11, 1), (70, 1), (4, 4), (40, 4), (13, 16)] {
         let antialias = Samples::from_count(samples).unwrap();
         let samples = u64::from(samples);
-        // Every sample once, and again behind that: covered twice and written once; and a triangle outside.
+        // Every sample once, and again behind that: covered twice and written once. A triangle outside follows.
         let (mut positions, triangles) = carpet(67, cells, &mut random);
         let near: Vec<_> = positions.iter().map(|p| [p[0], p[1], 0.9]).collect();
         positions.extend([[-9.0, 5.0, 1.0], [-5.0, 5.0, 1.0], [-5.0, 9.0, 1.0]]);

@@ -1,4 +1,4 @@
-//! Strokes against surfaces: what lies on a face is seen, what lies behind one is not.
+//! Strokes against surfaces: a stroke on a face is seen, one behind a face is not.
 
 #![expect(clippy::cast_possible_truncation, reason = "pictures are small")]
 
@@ -73,14 +73,14 @@ fn project(p: [f64; 3], (yaw, pitch): (f64, f64), distance: f64) -> [f32; 3] {
     [(middle + scale * p[0] / w) as f32, (middle - scale * p[1] / w) as f32, (1.0 / w) as f32]
 }
 
-/// Twice the area on the picture: positive where the face is seen from outside.
+/// Twice the area on the picture, positive if the face is seen from outside.
 fn area(face: &[usize], points: &[[f32; 3]]) -> f64 {
     let turn = |a: [f32; 3], b: [f32; 3]| f64::from(a[0]) * f64::from(b[1]) - f64::from(a[1]) * f64::from(b[0]);
     -(0..face.len()).map(|k| turn(points[face[k]], points[face[(k + 1) % face.len()]])).sum::<f64>()
 }
 
-/// The drawing of a solid's faces (without strokes), and its edges: between faces of which one is seen from outside at
-/// least, and the others. `inside`: only what is seen from inside.
+/// The drawing of a solid's faces (without strokes), and its edges: between faces of which at least one is seen from
+/// outside, and the others. `inside` draws only the faces seen from inside.
 fn draw(
     solid: &Solid,
     points: &[[f32; 3]],

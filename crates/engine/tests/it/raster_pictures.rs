@@ -48,8 +48,8 @@ fn crossing_triangles() {
     assert_picture("crossing_triangles", &Rasterizer::default().paint(&d).expect("a picture"));
 }
 
-/// A line that enters a face, continues behind it and comes out again, in each of the three styles; and the edge of the
-/// face, which counts as visible.
+/// A line that enters a face, continues behind it and comes out again, in each of the three styles. The edge of the
+/// face counts as visible.
 #[test]
 fn line_through_a_face() {
     let mut d = drawing(160, 120);

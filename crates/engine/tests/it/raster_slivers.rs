@@ -1,4 +1,4 @@
-//! Colours on slivers: what nearly cancels in a gradient must not show.
+//! Colours on slivers: terms that nearly cancel in a gradient must not show.
 
 use camera_lab_engine::appearance::Rgba;
 use camera_lab_engine::drawing::{Base, Drawing, Surface};
@@ -15,8 +15,8 @@ impl Numbers {
 }
 
 /// Corners in steps of 1/256 pixel around the centre of a pixel, and one channel for each. The triangle is 75 pixels
-/// high, and less than 1/32 of a step wide where the pixel is: gradients are differences of terms some thousand times
-/// as large.
+/// high, and less than 1/32 of a step wide at the pixel, so gradients are differences of terms some thousand times as
+/// large.
 fn sliver(numbers: &mut Numbers) -> ([[i32; 2]; 3], [u8; 3]) {
     let centre = [48 * 256 + 128, 48 * 256 + 128];
     let [x, y] = [numbers.below(2), numbers.below(2)].map(|side| 2 * side - 1);

@@ -1,4 +1,5 @@
-//! A matrix → its camera: what comes out has the matrix again, in every convention; what no camera has is named.
+//! A matrix → its camera: the result has the matrix again, in every convention, and a matrix of no camera is refused
+//! with the reason.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -68,7 +69,7 @@ proptest! {
 }
 
 #[test]
-fn what_a_matrix_does_not_hold_is_said() {
+fn parameters_that_a_matrix_does_not_hold_are_listed() {
     let camera = camera(|p| p.position = DVec3::new(3.0, 4.0, 5.0));
     let unknown = |kind, matrix| recover(kind, matrix, Ndc::default(), camera.parameters()).unwrap().unknown;
     assert_eq!(
@@ -80,7 +81,7 @@ fn what_a_matrix_does_not_hold_is_said() {
         unknown(MatrixKind::ViewProjection, camera.clip_from_world()),
         [Unknown::FocalDistance, Unknown::ViewUp]
     );
-    // D and VUP are kept where they fit: the same camera comes back.
+    // D and VUP are kept if they fit: the same camera comes back.
     let back =
         recover(MatrixKind::ViewProjection, camera.clip_from_world(), Ndc::default(), camera.parameters()).unwrap();
     assert_eq!(back.parameters.view_up, DVec3::Y);
@@ -100,7 +101,7 @@ fn what_a_matrix_does_not_hold_is_said() {
 }
 
 #[test]
-fn what_no_camera_has_is_named() {
+fn matrices_of_no_camera_are_refused_with_the_reason() {
     let current = Parameters::default();
     let window = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
     let camera = Camera::new(&Parameters { window, near: 1.0, far: 9.0, ..current }).unwrap();

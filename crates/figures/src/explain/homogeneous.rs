@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn with_w_the_floor_is_what_rays_see_and_without_it_is_not() {
+    fn only_with_w_the_floor_agrees_with_rays() {
         for projection in [Projection::Perspective, Projection::Parallel] {
             let camera =
                 Camera::new(&Parameters { projection, view_angle: 70.0, height: 8.0, ..Parameters::default() })
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn the_middle_of_a_segment_is_seen_where_it_is_said() {
+    fn the_middle_of_a_segment_is_seen_at_the_computed_share() {
         let camera = Camera::new(&Parameters::default()).unwrap();
         let (a, b) = (DVec3::new(1.0, 0.0, 1.0), DVec3::new(-2.0, 0.5, -3.0));
         let place = |p: DVec3| {

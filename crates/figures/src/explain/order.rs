@@ -341,7 +341,7 @@ mod tests {
     }
 
     #[test]
-    fn pop_brings_back_what_push_has_kept() {
+    fn pop_brings_back_the_matrix_that_push_kept() {
         let calls = [
             Call::Translate(T),
             Call::Push,
@@ -373,7 +373,7 @@ mod tests {
     }
 
     #[test]
-    fn what_commutes_is_said_to() {
+    fn commuting_transforms_are_recognised() {
         let commutes = |a: Call, b: Call| {
             let calls = [a, b];
             same(&product(&calls).unwrap(), &product(&exchanged(&calls, [0, 1])).unwrap())

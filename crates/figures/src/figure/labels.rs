@@ -408,7 +408,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_done_is_undone_by_automatic_again_and_notes_stay() {
+    fn automatic_undoes_changes_to_labels_and_keeps_notes() {
         let note = "[[labels.notes]]\nat = [0, 1, 2]\ntext = \"here\"\n";
         let before = labels(note);
         let mut after = before.clone();
@@ -439,7 +439,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_label_can_be_is_named_with_its_line() {
+    fn impossible_labels_are_refused_with_their_line() {
         let long = format!("[[labels.renamed]]\nname = \"C\"\ntext = \"{}\"\n", "x".repeat(MAX_LABEL_TEXT + 1));
         let many = format!("[labels]\nhidden = [{}]\n", "\"C\", ".repeat(crate::limits::MAX_LABELS + 1));
         for (text, line, key) in [

@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn what_resembles_nothing_gets_no_suggestion() {
+    fn names_that_resemble_nothing_get_no_suggestion() {
         assert_eq!(key("banana", CAMERA, home), None);
         assert_eq!(key("", CAMERA, home), None);
         assert_eq!(key(&"near".repeat(100_000), CAMERA, home), None);

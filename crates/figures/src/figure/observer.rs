@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn an_upright_picture_shows_what_a_square_one_shows() {
+    fn an_upright_picture_shows_as_much_as_a_square_one() {
         for parallel in [false, true] {
             let observer =
                 Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, roll: 0.0, parallel };
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn zoom_scales_what_is_at_the_target_and_refuses_nonsense() {
+    fn zoom_scales_things_at_the_target_and_refuses_nonsense() {
         let before =
             Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, roll: 0.0, parallel: false };
         let p = before.target + before.axes()[0];
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn an_eye_looks_as_it_is_told_and_what_is_in_front_follows_the_pointer_also_where_it_is_rolled() {
+    fn an_eye_looks_the_given_way_and_a_point_ahead_follows_the_pointer() {
         let any =
             Observer { target: DVec3::ONE, distance: 7.0, azimuth: 0.0, elevation: 0.0, roll: 3.0, parallel: false };
         for (right, back) in [

@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn the_other_side_has_the_other_values_and_what_is_impossible_can_still_be_read() {
+    fn the_other_side_has_the_other_values_and_reads_impossible_ones() {
         let text = "[camera]\nnear = 2\n[compare]\nwith = { \"style.visibility\" = \"painter\", \"reveal.depth\" = true }\n\
                     ops = [\"zoom=2\"]\n";
         let figure = parse(text).unwrap();

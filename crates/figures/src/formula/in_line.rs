@@ -297,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn what_needs_more_than_a_line_is_named() {
+    fn formulas_that_need_more_than_a_line_are_named() {
         for text in [r"$\begin{matrix}a\end{matrix}$", r"$x^{k}$", r"$\hat x$", r"$x_{y_z}$", r"$a\\b$", r"$\{a\}$"] {
             let problem = set(text).map_err(|error| error.problem);
             assert!(matches!(problem, Err(FormulaProblem::NotOnALine(_))), "{text}: {problem:?}");

@@ -433,7 +433,7 @@ mod tests {
     }
 
     #[test]
-    fn what_leads_to_no_numbers_is_no_quantity() {
+    fn a_path_to_no_numbers_is_no_quantity() {
         for path in
             ["", "basis", "basis.w", "points.x.ndc", "points.0", "camera.projection", "view_matrix.0.1.2", "ndc"]
         {

@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn the_canonical_volume_is_made_anew_where_scene_camera_or_shading_has_changed() {
+    fn scene_camera_or_shading_changes_rebuild_the_canonical_volume() {
         let first = request(View::Canonical, "depth-buffer");
         let mut moved = first.clone();
         moved.camera = Camera::new(&Parameters { near: 3.5, ..*first.camera.parameters() }).unwrap();
@@ -364,7 +364,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_much_to_be_split_is_left_to_the_depth_buffer_and_said() {
+    fn scenes_too_large_to_split_use_the_depth_buffer_and_say_so() {
         for view in View::ALL {
             let (split, tested) = (request(view, "bsp"), request(view, "depth-buffer"));
             let bare =
@@ -390,7 +390,7 @@ mod tests {
     }
 
     #[test]
-    fn the_shortfall_of_either_side_of_a_comparison_is_told() {
+    fn a_comparison_reports_the_shortfall_of_either_side() {
         let compared = |visibility: &str| {
             let request = request(View::Image, visibility);
             let figure = parse(&format!(

@@ -370,7 +370,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_of_a_picture_meet_past_what_does_not_cover_them() {
+    fn parts_of_a_picture_meet_past_pieces_that_do_not_cover_them() {
         let image = Arc::new(Texture::flat(1, 1, vec![0; 4]));
         let [left, right] = [LEFT, RIGHT].map(|corners| pictured(&image, corners));
         let gathered = |between: Corners| {

@@ -186,7 +186,7 @@ mod tests {
     use crate::views::unlabelled;
 
     #[test]
-    fn an_observer_goes_back_where_the_volume_would_be_cut_and_a_close_look_stays_close() {
+    fn an_observer_goes_back_if_the_volume_is_cut_and_a_close_look_stays() {
         let figure = Figure::default();
         let camera = Camera::new(&figure.camera).unwrap();
         let scene = SharedScene::new(Scene::default());

@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn on_paper_the_tints_are_told_apart_in_greys() {
+    fn on_paper_the_tints_differ_in_grey() {
         let p = Palette::of(Theme::Print);
         let grey = |c: Rgba| {
             let share = f64::from(c.a) / 255.0;

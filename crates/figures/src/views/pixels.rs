@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_grow_with_pictures_larger_than_a_screen_and_are_as_high_as_they_are_wanted() {
+    fn letters_grow_beyond_screen_size_and_have_the_requested_height() {
         assert_eq!(Size::as_on_a_screen(1920, 1080).scale, 1.0);
         assert_eq!(Size::as_on_a_screen(8000, 600).scale, 1.0);
         assert_eq!(Size::as_on_a_screen(3840, 2160).scale, 2.0);

@@ -301,7 +301,7 @@ mod tests {
     }
 
     #[test]
-    fn what_moves_things_is_seen_in_the_world_alone_and_the_probe_everywhere() {
+    fn the_gizmo_is_seen_in_the_world_alone_and_the_probe_everywhere() {
         let hover = Hover {
             probe: Some(Probe::Window(DVec2::ZERO)),
             hovered: Some(Handle::Near),

@@ -157,13 +157,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_behind_has_no_place() {
+    fn points_behind_the_eye_have_no_place() {
         let s = screen(Projection::Perspective);
         assert_eq!(s.place(s.camera().position() + s.camera().basis().n), None);
     }
 
     #[test]
-    fn a_pixel_spans_what_it_says() {
+    fn units_per_pixel_move_a_point_by_one_pixel() {
         for projection in [Projection::Perspective, Projection::Parallel] {
             let s = screen(projection);
             let step = s.camera().basis().v * s.units_per_pixel(DVec3::ZERO);

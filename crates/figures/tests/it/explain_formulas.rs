@@ -1,5 +1,5 @@
-//! Every entry of every matrix has a formula whose numbers give the entry; every symbol a definition that gives the
-//! symbol; and a point's trace adds up, forward and back.
+//! Every entry of every matrix has a formula whose numbers give the entry. Every symbol has a definition that gives the
+//! symbol, and a point's trace adds up, forward and back.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -34,7 +34,7 @@ fn viewport() -> Viewport {
     Viewport { x: 10, y: -20, width: 640, height: 480, depth_near: 0.25, depth_far: 0.875 }
 }
 
-/// A number read by the program's own reader from what the formula says with its numbers put in.
+/// A number read by the program's own reader from the formula with its numbers put in.
 fn evaluated(text: &str) -> f64 {
     let typed = text.replace('·', "*").replace('−', "-").replace('²', "^2");
     expression::evaluate(&typed, Dimension::Number).unwrap_or_else(|error| panic!("{typed}: {error}"))
@@ -208,7 +208,7 @@ proptest! {
             for (row, column) in (0..16).map(|k| (k / 4, k % 4)) {
                 let (formula, expected) = (formulas.entry(row, column), setting.matrix(matrix).row(row)[column]);
                 let (value, size) = (formula.value(&setting), formula.magnitude(&setting));
-                // Products of far and near may leave the range of numbers where the entry does not.
+                // Products of far and near may leave the range of numbers although the entry does not.
                 if value.is_finite() && size.is_finite() && size > 1e-290 && expected.abs() > 1e-290 {
                     let slack = 1e-12 * size.max(expected.abs());
                     prop_assert!((value - expected).abs() <= slack, "{formula:?}: {value}, not {expected}");

@@ -1,4 +1,4 @@
-//! The report: its keys and their order, its numbers as text, and what it refuses.
+//! The report: its keys and their order, its numbers as text, and its refusals.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -140,7 +140,7 @@ fn operations_come_in_their_order() {
 }
 
 #[test]
-fn what_is_impossible_is_named() {
+fn impossible_requests_are_named() {
     let message = |result: Result<Report, InspectError>| result.map(|_| ()).unwrap_err().to_string();
     assert!(message(report(&figure(|p| p.near = -1.0), &[], &[])).contains("near is -1.0"));
     let zoom = [Operation::Zoom(1e-320)];

@@ -28,7 +28,7 @@ fn area(object: &Object) -> f64 {
     object.mesh.triangles.iter().map(|&[a, b, c]| (p(b) - p(a)).cross(p(c) - p(a)).length() / 2.0).sum()
 }
 
-/// Where the matrices of the camera take a point.
+/// The image of a point under the camera's matrices.
 fn by_matrix(camera: &Camera, p_world: DVec3) -> DVec3 {
     let p = camera.clip_from_world() * p_world.extend(1.0);
     DVec3::new(p.x / p.w, p.y / p.w, -p.z / p.w)
@@ -65,7 +65,7 @@ fn a_mirrored_object_keeps_its_outside() {
 }
 
 #[test]
-fn what_is_cut_ends_in_the_faces_of_the_volume() {
+fn clipped_edges_end_in_the_faces_of_the_volume() {
     let camera = eye(Projection::Perspective);
     for place in [at(0.0, 0.0, -1.0), at(5.0, 2.0, -3.0), at(-7.5, 0.0, -9.0), at(0.1, 0.2, -0.9)] {
         let clipped = clipped_scene(&only(object(cube(), place)), &camera, Shading::Gouraud);
@@ -153,9 +153,9 @@ fn an_oblique_window_agrees_with_its_matrix() {
 }
 
 #[test]
-fn what_is_left_of_edges_beyond_all_proportion_to_the_volume_is_in_it() {
-    // Rounding where an edge of these meets the near plane is up to a million times as wide as the window there, and of
-    // any sign.
+fn clipped_parts_of_huge_edges_lie_in_the_volume() {
+    // The rounding of the point in which one of these edges meets the near plane is up to a million times as wide as
+    // the window there, and of any sign.
     let mut state = 1_u64;
     let mut number = |least: f64, most: f64| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -1,4 +1,4 @@
-//! Textures: where on the picture each texel is, which level of detail, and where they come from.
+//! Textures: the place of each texel on the picture, the level of detail, and the sources of textures.
 
 #![expect(
     clippy::unwrap_used,
@@ -18,7 +18,7 @@ use crate::common::triangles::{Random, drawing, owns, paint, rgb, surface};
 
 const WHITE: Rgba = Rgba::rgb(255, 255, 255);
 
-/// A picture whose texels say where they are: red is the column, green the row.
+/// A picture whose texels encode their places: red is the column, green the row.
 fn map() -> Arc<Texture> {
     let texel = |i: u32| [(i % 256) as u8, (i / 256) as u8, 0, 255];
     Arc::new(Texture::flat(256, 256, (0..256 * 256).flat_map(texel).collect()))
@@ -85,7 +85,7 @@ fn border(wrap: Wrap, filter: Filter) -> [u8; 3] {
 }
 
 #[test]
-fn no_texel_bleeds_over_the_border_where_it_is_to_go_on() {
+fn texels_bleed_over_the_border_only_if_the_texture_repeats() {
     for filter in [Filter::Nearest, Filter::Bilinear, Filter::Trilinear] {
         assert_eq!(border(Wrap::Clamp, filter), [0, 0, 255], "{filter:?}");
         assert_eq!(border(Wrap::Mirror, filter), [0, 0, 255], "{filter:?}");
@@ -97,11 +97,11 @@ fn no_texel_bleeds_over_the_border_where_it_is_to_go_on() {
 }
 
 #[test]
-fn a_picture_goes_on_as_it_is_told() {
+fn wrapping_follows_the_settings_of_the_texture() {
     let image = map();
     let nearest = |wrap| Sampler { wrap_u: wrap, wrap_v: wrap, filter: Filter::Nearest, reveal: None };
     let corners = vec![[0.0, 0.0, 0.5], [64.0, 0.0, 0.5], [64.0, 64.0, 0.5], [0.0, 64.0, 0.5]];
-    // Four pictures beside each other, from −1 to 3; far away from 0 they are the same.
+    // Four pictures beside each other, from −1 to 3. Far away from 0 they are the same.
     for shift in [0.0, 1000.0] {
         let uv = vec![[shift - 1.0, 0.0], [shift + 3.0, 0.0], [shift + 3.0, 1.0], [shift - 1.0, 1.0]];
         let column = |wrap, x| {
@@ -169,7 +169,7 @@ fn the_level_of_detail_is_the_change_of_u_and_v_from_pixel_to_pixel() {
     }
 }
 
-/// On a floor in perspective, u and v without w bend along the diagonal, where the two triangles meet.
+/// On a floor in perspective, u and v without w bend along the diagonal, the common edge of the two triangles.
 #[test]
 fn without_w_the_floor_bends_along_its_diagonal() {
     let image = map();
@@ -181,7 +181,7 @@ fn without_w_the_floor_bends_along_its_diagonal() {
         s.inverse_w = vec![1.0, 1.0, 0.25, 0.25];
         i32::from(rgb(&paint(&drawing(96, 64, Samples::One, vec![s])), x, 30)[0])
     };
-    // The middle of the row is the middle of the floor; without w it is not.
+    // The middle of the row is the middle of the floor. Without w it is not.
     assert!((column(None, 48) - 128).abs() <= 3, "{}", column(None, 48));
     let [left, right] = [column(Some(TextureReveal::Affine), 40), column(Some(TextureReveal::Affine), 56)];
     let [own_left, own_right] = [column(None, 40), column(None, 56)];
@@ -353,7 +353,7 @@ fn a_gltf_has_the_texture_of_its_material_moved_as_it_says() {
     );
 }
 
-/// The textures of a scene may have so many texels together; what is beyond is told, the rest is drawn.
+/// The textures of a scene may have so many texels together. A notice names those beyond, and the rest is drawn.
 #[test]
 fn textures_have_a_budget_of_texels() {
     let mut text = String::new();
@@ -394,7 +394,7 @@ fn every_format_is_read() {
 
 /// Whatever a file is made of, it is a whole picture, or its object keeps its colour and says why.
 #[test]
-fn broken_pictures_are_told_and_do_no_harm() {
+fn broken_pictures_give_a_notice_and_do_no_harm() {
     let mut random = Random(8);
     for round in 0..4000 {
         let (file, bytes) = PICTURES[round % PICTURES.len()];

@@ -248,7 +248,7 @@ mod tests {
 
     // One test, because files given to a page exist for the whole program.
     #[test]
-    fn what_is_kept_comes_back_and_what_is_saved_is_handed_to_the_user() {
+    fn stored_files_come_back_and_saved_ones_go_to_the_user() {
         let kept = Path::new("/camera-lab/session-0.json");
         assert_eq!(write(kept, b"x").unwrap_err().kind(), io::ErrorKind::Unsupported);
         begin(Page {

@@ -297,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn what_follows_a_step_that_is_removed_or_shown_anew_stays_as_it_was() {
+    fn steps_after_a_removed_or_updated_step_stay_as_they_were() {
         let shipped = &shipped()[0];
         let count = shipped.lesson.steps.len();
         for step in 0..count {
@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_is_said_anew_changes_in_the_file() {
+    fn only_rewritten_texts_change_in_the_file() {
         let shipped = &shipped()[1];
         let told = Localized::from(["Two\nlines".to_owned(), "Duas\nlinhas".to_owned()]);
         for which in [StepText::Text, StepText::Notes] {

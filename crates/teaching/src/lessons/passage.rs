@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_nothing_in_between_is_there_at_once() {
+    fn a_passage_without_steps_in_between_is_immediate() {
         let passage = Passage::new(figure(""), figure("[style]\nshading = \"flat\"\n"));
         assert!(passage.is_at_once());
     }

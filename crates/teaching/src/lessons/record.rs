@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_changes_is_written_and_what_was_written_stays() {
+    fn only_changes_are_written_and_earlier_text_stays() {
         let figure = read::parse("[camera]\nposition = [0, 0, 5]\n[show]\nmeasure = [\"F\"]\n").unwrap();
         let (first, _) = with_step("", "mine", &draft(), &figure).unwrap();
         let commented = first.replace("[[step]]", "# The first.\n[[step]]");

@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_done_in_the_pauses_is_not_timed() {
+    fn pauses_are_not_timed() {
         let nap = || std::thread::sleep(Duration::from_millis(2));
         let work = async {
             nap();
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_coarse_clock_cannot_tell_is_timed_in_batches() {
+    fn work_too_short_for_a_coarse_clock_is_timed_in_batches() {
         // Ten milliseconds of any work take a measurable time.
         let watch = Watch { slice: Duration::ZERO, tick: Duration::from_millis(1), progress: Progress::default() };
         let (mut trial, mut passes) = (Trial::default(), 0_u32);

@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_mathematics_is_set_as_words() {
+    fn text_that_is_no_mathematics_is_set_as_words() {
         assert_eq!(of_markdown("a $\\frac{1}{2}$ b_c"), "a $\\frac{1}{2}$ $b_{c}$");
         assert_eq!(
             of_markdown("$\\input{/etc/passwd}$ é “x”, 漢"),

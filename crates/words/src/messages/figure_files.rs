@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn messages_name_line_key_value_and_what_is_allowed() {
+    fn messages_name_line_key_value_and_allowed_values() {
         for (text, parts) in [
             ("[camera]\nfov = 3", &["2", "[camera] fov", "view_angle"][..]),
             ("[camera]\nview_angle = 180", &["2", "view_angle", "180.0"]),

@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn a_path_is_said_once_where_it_was_looked_for_under_the_same() {
+    fn a_path_appears_once_if_it_was_looked_for_under_the_same_name() {
         let of = |file: &str| SceneError::Mesh {
             name: "a".to_owned(),
             path: "a.obj".to_owned(),

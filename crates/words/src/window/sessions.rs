@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ages_are_told_in_the_unit_that_fits() {
+    fn ages_have_the_unit_that_fits() {
         let told =
             |seconds| (ago(Lang::En, Duration::from_secs(seconds)), ago(Lang::PtBr, Duration::from_secs(seconds)));
         assert_eq!(told(59), ("just now".to_owned(), "agora mesmo".to_owned()));

@@ -44,7 +44,7 @@ fn until_done(ctx: &egui::Context, state: &mut State) -> Vec<ViewportCommand> {
 }
 
 #[test]
-fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
+fn a_panic_while_writing_a_picture_is_not_reported_as_lack_of_memory() {
     let (ctx, mut state) = exporting(|| async |_, _: &Progress| panic!("as a fault would"));
     until_done(&ctx, &mut state);
     let message = state.model.message.expect("said");
@@ -136,7 +136,7 @@ fn finish(ctx: &egui::Context, state: &mut State) {
 }
 
 #[test]
-fn the_window_goes_on_while_a_disk_stalls_and_what_is_changed_then_is_not_taken_for_saved() {
+fn changes_made_while_a_disk_stalls_are_not_taken_for_saved() {
     let directory = Directory::new("saving");
     let (ctx, mut state) = new_state();
     let [path, other] = ["slow.toml", "other.toml"].map(|name| directory.path().join(name));

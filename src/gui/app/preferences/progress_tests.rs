@@ -70,7 +70,7 @@ fn of_two_windows_nothing_is_lost() {
 }
 
 #[test]
-fn what_preferences_kept_before_is_read_once() {
+fn answers_kept_in_old_preferences_are_read_once() {
     let folder = Folder::new("progress-before");
     fs::create_dir_all(&folder.0).unwrap();
     let before = "digits = 7\n\"answers basis 3\" = { u = [\"1\", \"\"], \"is solved\" = true } \n";
@@ -97,7 +97,7 @@ fn what_preferences_kept_before_is_read_once() {
 }
 
 #[test]
-fn a_damaged_file_is_set_aside_and_said() {
+fn a_damaged_file_is_set_aside_and_reported() {
     for bytes in [&b"[exercise.basis]\ntries = \"two\"\n"[..], b"answers = [", &[0xff, 0x00]] {
         let folder = Folder::new("progress-damaged");
         fs::create_dir_all(&folder.0).unwrap();

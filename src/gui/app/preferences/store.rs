@@ -265,7 +265,7 @@ pub(in crate::gui) mod tests {
     }
 
     #[test]
-    fn a_broken_file_is_set_aside_and_said() {
+    fn a_broken_file_is_set_aside_and_reported() {
         let folder = Folder::new("broken");
         fs::create_dir_all(&folder.0).unwrap();
         for bytes in [&b"theme = \"dark"[..], &[0xff, 0xfe, 0x00]] {
@@ -316,7 +316,7 @@ pub(in crate::gui) mod tests {
     }
 
     #[test]
-    fn what_the_system_wants_counts_until_the_user_has_chosen_and_is_not_remembered() {
+    fn system_settings_count_until_the_user_chooses_and_are_not_stored() {
         let folder = Folder::new("follow");
         let (mut state, mut preferences) = folder.window();
         let follow = |preferences: &mut Preferences, state: &mut State, theme| {
@@ -335,7 +335,7 @@ pub(in crate::gui) mod tests {
     }
 
     #[test]
-    fn what_cannot_be_written_is_said_once() {
+    fn preferences_that_cannot_be_written_give_one_message() {
         let folder = Folder::new("refused");
         fs::create_dir_all(folder.0.join("preferences.toml")).unwrap();
         let (mut state, mut preferences) = folder.window();

@@ -217,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn turning_the_camera_turns_no_observer_and_a_camera_that_comes_back_is_seen_as_before() {
+    fn turning_the_camera_turns_no_observer_and_returning_restores_the_view() {
         let mut seen = Seen::new();
         let camera = Camera::new(&seen.figure.camera).unwrap();
         let turned = |degrees| {
@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn what_leaves_the_picture_is_followed_once_and_only_outwards() {
+    fn a_camera_that_leaves_the_picture_is_followed_once_and_outwards() {
         let mut seen = Seen::new();
         let near = DVec3::new(3.0, 4.0, 5.0);
         let first = seen.of(&at(near), 400, FREE).observer;
@@ -253,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_seen_before_a_button_was_pressed_comes_back_with_its_camera() {
+    fn the_view_before_a_press_comes_back_with_its_camera() {
         let mut seen = Seen::new();
         let near = DVec3::new(3.0, 4.0, 5.0);
         let first = seen.of(&at(near), 400, FREE).observer;

@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_uses_what_its_shape_allows_of_a_pane() {
+    fn a_picture_fills_a_pane_as_far_as_its_shape_allows() {
         assert_eq!(used_of(vec2(400.0, 300.0 + TITLE), 4.0 / 3.0), 120_000.0);
         assert_eq!(used_of(vec2(400.0, 1000.0), 2.0), 80_000.0);
         assert_eq!(used_of(vec2(1000.0, 100.0 + TITLE), 2.0), 20_000.0);

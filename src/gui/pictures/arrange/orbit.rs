@@ -69,7 +69,7 @@ mod tests {
 
     /// Projects by hand: right and up in the plane of the target, one length for all pixels there.
     #[test]
-    fn zoom_keeps_what_is_under_the_pointer() {
+    fn zoom_keeps_the_point_under_the_pointer() {
         let size = Size { width: 400, height: 300, scale: 1.0 };
         let pointer = DVec2::new(310.0, 60.0);
         let on_target_plane = |o: Observer| {

@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn a_change_glows_for_a_second_and_what_stays_does_not() {
+    fn a_change_glows_for_a_second_and_equal_entries_do_not() {
         let shown = Shown { text: "1.5".to_owned(), changed: Vec::new(), since: f64::NEG_INFINITY };
         assert_eq!(strength(5.0, shown.since), 0.0);
         let same = shown.clone().follow("1.5", 5.0);

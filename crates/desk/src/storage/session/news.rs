@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_one_cause_is_one_line_and_does_not_come_back() {
+    fn news_with_one_cause_is_one_line_and_does_not_come_back() {
         use Keeping::{Preferences, Progress, Session};
         let mut list = NewsList::default();
         list.tell(not_kept(Preferences, ErrorKind::PermissionDenied));
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_again_is_not_said_any_more_and_can_fail_anew() {
+    fn a_successful_save_clears_its_news_and_can_fail_again() {
         let mut list = NewsList::default();
         let full = || not_kept(Keeping::Session, ErrorKind::StorageFull);
         list.tell(full());

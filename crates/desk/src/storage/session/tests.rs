@@ -119,7 +119,7 @@ fn a_second_window_has_its_own_slot_and_a_saved_one_leaves_nothing() {
 }
 
 #[test]
-fn what_is_left_stays_until_the_user_has_decided() {
+fn left_sessions_stay_until_the_user_has_decided() {
     let place = TempFolder::new("list");
     for _ in 0..3 {
         place.crash(&changed());
@@ -152,7 +152,7 @@ fn what_is_left_stays_until_the_user_has_decided() {
 }
 
 #[test]
-fn what_cannot_be_understood_is_put_aside() {
+fn unreadable_sessions_are_set_aside() {
     let place = TempFolder::new("damaged");
     fs::create_dir_all(&place.0).unwrap();
     for number in ["", "-1"] {
@@ -239,7 +239,7 @@ fn a_figure_that_ends_the_program_is_not_restored_by_itself_again() {
 }
 
 #[test]
-fn what_cannot_be_written_is_said_once_and_tried_again() {
+fn a_session_that_cannot_be_written_is_reported_once_and_retried() {
     let place = TempFolder::new("full");
     // A file takes the folder's place.
     fs::write(&place.0, "").unwrap();
@@ -325,7 +325,7 @@ fn a_path_that_is_no_text_comes_back() {
 }
 
 #[test]
-fn a_folder_in_the_place_of_a_session_is_said_and_left() {
+fn a_folder_in_place_of_a_session_is_reported_and_left() {
     let place = TempFolder::new("folder");
     fs::create_dir_all(place.0.join("session-0.json")).unwrap();
     let (mut sessions, left) = place.begin(true);
@@ -346,7 +346,7 @@ fn a_session_that_is_far_too_large_is_put_aside_unread() {
 }
 
 #[test]
-fn documents_that_a_window_holds_have_a_slot_each_and_what_it_lets_go_leaves_nothing() {
+fn held_documents_have_a_slot_each_and_closed_ones_leave_nothing() {
     let folder = TempFolder::new("left-in-window");
     let (one, two) = (changed(), change(changed(), 50.0));
     let (mut sessions, _) = folder.begin(false);

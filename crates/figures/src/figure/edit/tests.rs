@@ -366,7 +366,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn what_is_written_reads_back(figure in figure()) {
+    fn written_figures_read_back(figure in figure()) {
         let text = to_toml(&figure);
         let back = read::parse(&text);
         prop_assert_eq!(back.as_ref(), Ok(&figure), "{}", &text);
@@ -374,7 +374,7 @@ proptest! {
     }
 
     #[test]
-    fn what_is_edited_reads_back(before in figure(), after in figure(), form in 0..OTHER_FORMS.len()) {
+    fn edited_figures_read_back(before in figure(), after in figure(), form in 0..OTHER_FORMS.len()) {
         for text in [OTHER_FORMS[form], &to_toml(&before)] {
             let edited = edit(text, &after);
             prop_assert!(edited.is_some(), "had to be replaced: {}", text);
@@ -447,7 +447,7 @@ fn objects_keep_their_comments_when_others_come_and_go() {
 }
 
 #[test]
-fn a_point_that_moves_keeps_what_was_typed_of_it_and_of_the_others() {
+fn a_moved_point_keeps_its_typed_formulas_and_those_of_others() {
     let text = concat!(
         "[[points]]\nname = \"P\" # the corner\nposition = [\"sqrt(2)/2\", 1, 2] # exact\n",
         "# the other\n[[points]]\nposition = [0, 0, 3]\nname = \"Q\"\n",
@@ -483,7 +483,7 @@ fn line_ends_of_windows_stay() {
 }
 
 #[test]
-fn what_is_not_a_figure_is_replaced() {
+fn text_that_is_not_a_figure_is_replaced() {
     assert_eq!(update("[camera]\nnear = what", &Figure::default()), to_toml(&Figure::default()));
 }
 

@@ -212,7 +212,7 @@ fn every_form_of_toml_will_do() {
 }
 
 #[test]
-fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
+fn wrong_values_are_refused_with_line_key_and_allowed_values() {
     let (line, key, problem) = error("\n[camera]\nposition = \"abc\"");
     assert_eq!((line, key.as_str()), (3, "[camera] position"));
     assert_eq!(problem, Problem::Value { found: "\"abc\"".into(), allowed: Allowed::Vector });
@@ -416,7 +416,7 @@ fn syntax_errors_name_line_and_key() {
 }
 
 #[test]
-fn what_is_there_twice_is_named() {
+fn duplicate_keys_are_named() {
     assert_eq!(error("[camera]\nnear = 1\nnear = 2\n"), (3, "[camera] near".into(), Problem::Duplicate));
     assert_eq!(error("[camera]\nnear = 1\n[camera]\nfar = 2\n"), (3, "[camera]".into(), Problem::Duplicate));
     assert_eq!(error("a.b = 1\na.b = 2\n").2, Problem::Duplicate);

@@ -115,7 +115,7 @@ mod tests {
     use crate::views::{Finish, Shot, Size, Views};
 
     #[test]
-    fn each_picture_of_a_sheet_is_cropped_and_nothing_stands_between_pictures_without_ground() {
+    fn pictures_of_a_sheet_are_cropped_and_transparent_gaps_stay_clear() {
         let pixel = |picture: &Pixels, [x, y]: [u32; 2]| {
             let at = 4 * (y * picture.width() + x) as usize;
             <[u8; 4]>::try_from(&picture.rgba()[at..at + 4]).unwrap()

@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn arrows_point_to_what_is_beside_the_image_and_behind_the_eye() {
+    fn arrows_point_to_objects_beside_the_image_and_behind_the_eye() {
         let size = DVec2::new(200.0, 100.0);
         for (p, expected) in [
             (DVec3::ZERO, None),

@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn where_the_ground_is_an_edge_they_move_in_the_picture() {
+    fn seen_along_the_ground_handles_move_in_the_picture() {
         with_picture(FRONT, |request, screen| {
             let c = request.camera.position();
             let goal = c + DVec3::new(1.0, 2.0, 0.0);
@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn the_far_plane_of_a_broken_volume_is_taken_where_it_is_drawn_and_goes_in_proportion() {
+    fn the_far_plane_of_a_broken_volume_is_dragged_in_proportion() {
         with_picture(CORNER, |request, screen| {
             let camera = Camera::new(&Parameters { far: 900.0, ..*request.camera.parameters() }).unwrap();
             let request = Request { camera: camera.clone(), ..request.clone() };
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn a_window_that_is_drawn_nearer_is_taken_where_it_is_drawn_and_goes_in_proportion() {
+    fn a_window_drawn_nearer_is_dragged_in_proportion() {
         with_picture(CORNER, |request, screen| {
             let camera = Camera::new(&Parameters { near: 5e3, far: 6e3, ..*request.camera.parameters() }).unwrap();
             let request = Request { camera: camera.clone(), ..request.clone() };

@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hidden_vertex_is_caught_where_there_is_no_other() {
+    fn a_hidden_vertex_is_picked_if_there_is_no_other() {
         with_cube(Parameters::default(), |request| {
             let screen = image::screen(request);
             let place = screen.place(DVec3::NEG_ONE).unwrap();
@@ -300,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_in_the_volume_is_not_caught_in_the_image() {
+    fn vertices_outside_the_volume_are_not_picked_in_the_image() {
         // F = 7: the corner (1, 1, 1), nearest to C, has been cut off.
         with_cube(Parameters { near: 7.0, ..Parameters::default() }, |request| {
             let toward = request.camera.view_point(DVec3::ONE);

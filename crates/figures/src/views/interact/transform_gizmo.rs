@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn an_arrow_is_found_at_its_tip_and_a_pull_moves_what_it_stands_on_under_the_pointer() {
+    fn an_arrow_is_picked_at_its_tip_and_moves_its_object_with_the_pointer() {
         let arrows = gizmo(Transforming::Move);
         with(arrows, OBSERVER, |request, screen| {
             for axis in 0..3 {

@@ -468,7 +468,7 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_first_has_the_choice_and_the_rest_stands_off_with_a_line_to_its_point() {
+    fn the_first_label_has_the_choice_and_others_get_a_leader_line() {
         let points = (0..6_u8).map(|i| label(122.0, 10.0 + 16.0 * f32::from(i), "P"));
         let mut d = drawing(points.chain([label(170.0, 50.0, "C")]).collect());
         d.surfaces.push(body());
@@ -547,7 +547,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_that_stands_beside_bodies_is_left_out_where_there_is_no_other_place() {
+    fn a_text_beside_bodies_is_left_out_if_there_is_no_other_place() {
         let (soft, ink) = (Rgba::rgb(120, 120, 120), Rgba::rgb(0, 0, 0));
         let with = |color| Label { color, ..label(40.0, 50.0, "(1, 1, 1)") };
         let mut d = drawing(vec![with(soft), with(ink)]);

@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn each_has_its_axes_and_what_is_scaled_to_nothing_no_body() {
+    fn each_has_its_axes_and_an_object_scaled_to_nothing_no_body() {
         let preview = |scale: DVec3, wrong| TransformPreview {
             objects: BTreeSet::new(),
             change: DMat4::IDENTITY,
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_faces_is_drawn_by_its_strokes() {
+    fn objects_without_faces_are_drawn_by_their_strokes() {
         use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape, build};
 
         let [a, b, c] = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0)];

@@ -35,7 +35,7 @@ fn solve(progress: &mut Progress, entry: &Entry, seed: u64, now: u64) {
 }
 
 #[test]
-fn what_is_kept_is_the_same_after_it_was_written_and_read() {
+fn progress_reads_back_as_it_was_written() {
     let mut progress = Progress::default();
     assert!(progress.is_empty() && progress.to_toml().is_empty());
     assert!(!answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1_000));
@@ -57,7 +57,7 @@ fn what_is_kept_is_the_same_after_it_was_written_and_read() {
 }
 
 #[test]
-fn what_another_version_wrote_stays() {
+fn keys_of_another_version_stay() {
     let text = "# mine\nlater = 1\n\n[exercise.basis]\ntries = 2 # twice\nlater = [1]\n\n[exercise.\"mine of May\"]\ntries = 1\n\n\
                 [mistake.later-one]\ntimes = 7\n";
     let mut progress = Progress::read(text).unwrap();
@@ -71,7 +71,7 @@ fn what_another_version_wrote_stays() {
 }
 
 #[test]
-fn a_damaged_file_is_told_by_its_key() {
+fn an_error_in_a_damaged_file_names_its_key() {
     for (text, said) in [
         ("[exercise.basis]\ntries = \"two\"", "exercise.basis.tries cannot be read"),
         ("[exercise.basis]\ntries = -1", "exercise.basis.tries cannot be read"),
@@ -85,7 +85,7 @@ fn a_damaged_file_is_told_by_its_key() {
 }
 
 #[test]
-fn a_mistake_is_open_until_what_shows_it_is_solved_without_it() {
+fn a_mistake_is_open_until_its_exercise_is_solved_without_it() {
     let mut progress = Progress::default();
     let open = |progress: &Progress| progress.mistakes().filter(|(_, made)| made.is_open).count();
     answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1);
@@ -111,7 +111,7 @@ fn one_of_several_mistakes_is_not_counted() {
 }
 
 #[test]
-fn what_is_solved_counts_once_for_each_seed() {
+fn a_solution_counts_once_for_each_seed() {
     let (mut progress, basis) = (Progress::default(), entry("basis").unwrap());
     for (seed, solved) in [(0, 1), (0, 1), (1, 2), (1, 2)] {
         solve(&mut progress, basis, seed, 1);
@@ -204,7 +204,7 @@ fn a_family_comes_back_after_1_3_7_and_21_days_with_new_numbers() {
 }
 
 #[test]
-fn what_was_found_with_help_is_not_answered_alone() {
+fn an_answer_with_help_does_not_count_as_answered_alone() {
     let (mut progress, basis) = (Progress::default(), entry("basis").unwrap());
     progress.opened("basis", 0, "u", 1);
     solve(&mut progress, basis, 0, 1);

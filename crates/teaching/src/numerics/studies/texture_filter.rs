@@ -319,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn the_squares_of_the_figure_lie_where_those_of_the_study_do() {
+    fn the_squares_of_figure_and_study_lie_in_the_same_places() {
         for (tilt, scale) in [(0.0, 1.0), (45.0, 4.0)] {
             let setup = at_once(Setup::new(tilt, scale, DVec2::new(0.3, 0.7))).expect("a camera");
             let figure = parse(&setup.figure(Way::One(Filter::Nearest))).expect("a figure");

@@ -18,7 +18,7 @@ fn a_list_without_brackets_is_a_whole_vector() {
 }
 
 #[test]
-fn what_is_practised_next_is_not_what_is_worked_on_and_goes_on_with_what_was_typed() {
+fn the_next_exercise_is_not_the_open_one_and_keeps_typed_answers() {
     let mut state = Exercises::default();
     let next = |state: &Exercises| state.next(1_000).map(|(chosen, why)| (chosen.id, chosen.seed, why));
     // In the order of the lessons.
@@ -39,7 +39,7 @@ fn what_is_practised_next_is_not_what_is_worked_on_and_goes_on_with_what_was_typ
 }
 
 #[test]
-fn fields_are_joined_to_what_is_read_and_brackets_in_the_first_one_are_the_whole() {
+fn fields_are_joined_and_brackets_in_the_first_are_the_whole_answer() {
     let chosen = Chosen { id: "view-matrix".to_owned(), seed: 1 };
     let mut state = Exercises { open: Some(chosen), ..Exercises::default() };
     let exercise = state.exercise().map(|(_, exercise)| exercise);
