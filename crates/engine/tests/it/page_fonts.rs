@@ -1,5 +1,7 @@
 //! The fonts of the page: fewer characters than the program's, with the same outlines.
 
+#![expect(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
+
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::DrawSettings;
 use skrifa::{FontRef, MetadataProvider};
