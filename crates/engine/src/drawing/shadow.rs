@@ -93,12 +93,16 @@ impl ShadowMap {
     }
 }
 
-/// Compares the views, or the depths once they are painted. Only tests compare drawings, so it may take its time.
+/// Compares the views if neither map is painted, and the depths if both are. Of a painted map the views are gone, so
+/// nothing tells it from one that is still to be painted, as long as size and rays agree. Only tests compare drawings.
 impl PartialEq for ShadowMap {
     fn eq(&self, other: &Self) -> bool {
-        (self.size, self.softness, &self.rays) == (other.size, other.softness, &other.rays)
-            && self.unpainted() == other.unpainted()
-            && self.depths() == other.depths()
+        let is_same = match (self.depths(), other.depths()) {
+            (None, None) => self.unpainted() == other.unpainted(),
+            (Some(own), Some(others)) => own == others,
+            (None, Some(_)) | (Some(_), None) => true,
+        };
+        is_same && (self.size, self.softness, &self.rays) == (other.size, other.softness, &other.rays)
     }
 }
 

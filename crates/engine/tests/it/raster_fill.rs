@@ -230,7 +230,7 @@ fn carpet(side: u32, cells: u32, random: &mut Random) -> (Vec<[f32; 3]>, Vec<[u3
 fn triangles_with_common_edges_cover_each_sample_exactly_once() {
     let mut random = Random(5);
     let sizes = [(3, 1), (9, 1), (48, 1), (90, 1), (9, 4), (60, 4), (5, 16), (30, 16)];
-    for (cells, antialias) in sizes.map(|(cells, count)| (cells, Samples::from_count(count).unwrap())) {
+    for (cells, antialias) in sizes.map(|(cells, count)| (cells, Samples::from_count(count).expect("1, 4 or 16"))) {
         let (positions, triangles) = carpet(48, cells, &mut random);
         let mut s = surface(positions, triangles, Base::Solid(Rgba::rgba(0, 0, 0, 128)));
         s.translucent = true;
@@ -334,7 +334,7 @@ fn measuring() -> Rasterizer {
 fn counts_agree_with_the_work_done() {
     let mut random = Random(71);
     for (cells, samples) in [(4, 1), (11, 1), (70, 1), (4, 4), (40, 4), (13, 16)] {
-        let antialias = Samples::from_count(samples).unwrap();
+        let antialias = Samples::from_count(samples).expect("1, 4 or 16");
         let samples = u64::from(samples);
         // Every sample once, and again behind that: covered twice and written once. A triangle outside follows.
         let (mut positions, triangles) = carpet(67, cells, &mut random);
