@@ -236,7 +236,7 @@ impl fmt::Display for Samples {
 }
 
 /// The `[style]` section of a figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Style {
     /// Shading of faces.
     pub shading: Shading,
@@ -250,19 +250,6 @@ pub struct Style {
     pub theme: Theme,
     /// The format in which the image stores depths.
     pub depth_format: DepthFormat,
-}
-
-impl Default for Style {
-    fn default() -> Self {
-        Self {
-            shading: Shading::default(),
-            visibility: Visibility::default(),
-            hidden_lines: HiddenLines::default(),
-            antialias: Samples::default(),
-            theme: Theme::default(),
-            depth_format: DepthFormat::default(),
-        }
-    }
 }
 
 /// The pattern of a stroke. Lengths are multiples of the stroke's width.
