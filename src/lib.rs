@@ -23,6 +23,6 @@ pub use camera_lab_teaching::{clock, exercises, lessons, numerics};
 pub mod cli;
 #[cfg(feature = "gui")]
 pub mod gui;
-#[cfg(test)]
+#[cfg(all(test, feature = "gui"))]
 #[path = "../crates/files/src/testing.rs"]
 mod testing;

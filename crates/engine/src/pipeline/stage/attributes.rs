@@ -1,10 +1,9 @@
 //! The surface of an object's faces, with everything that it carries after a cut: colours, texture coordinates, 1/w,
 //! and the places and planes of shadows. [`light`](super::light) adds the light.
 
-use glam::{DMat4, DVec3};
+use glam::DMat4;
 
 use super::faces::{Faces, to_u32};
-use super::light::light;
 use super::reflection::{Lights, ObjectLight};
 use super::shadow_maps::{SeenByLight, ShadowLight};
 use super::vertices::Vertices;
@@ -12,7 +11,6 @@ use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, BlockedLight, Shadow, Surface, SurfaceLight, single};
 use crate::pipeline::mesh::each_chunk;
 use crate::pipeline::mesh::resample::{VertexOrigin, base_of, color_at, face_color, found_light, object_paint};
-use crate::pipeline::order::pieces::Layer;
 use crate::pipeline::plan::LitAt;
 use crate::pipeline::space::ObjectPoint;
 use crate::scene::{Object, ObjectPaint, Pictured};
@@ -35,19 +33,8 @@ pub(crate) struct FacesToLight<'a> {
 }
 
 impl FacesToLight<'_> {
-    /// The surface, with the data for sorting its faces.
-    pub(crate) fn layer(&self, faces: &mut Faces, never_hides_itself: bool) -> Option<Layer> {
-        let own = (0..self.vertex_count()).map(|i| self.vertices.view_point(i).0);
-        let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view_point(i).0));
-        let mut view: Vec<DVec3> = own.chain(cuts).collect();
-        if self.shares_no_vertex() {
-            view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
-        }
-        Some(Layer { surface: light(self, faces)?, view, never_hides_itself })
-    }
-
     /// True if [`unshared`](Self::unshared) makes the surface.
-    fn shares_no_vertex(&self) -> bool {
+    pub(super) fn shares_no_vertex(&self) -> bool {
         self.shadows.is_empty() && matches!((self.lit, &self.object.paint), (LitAt::Vertices, ObjectPaint::Faces(_)))
     }
 
@@ -206,7 +193,7 @@ impl FacesToLight<'_> {
         }
     }
 
-    fn vertex_count(&self) -> u32 {
+    pub(super) fn vertex_count(&self) -> u32 {
         to_u32(self.vertices.len())
     }
 }

@@ -10,12 +10,15 @@
 //! because the pixel then needs both. Everything else that a surface carries is made in
 //! [`attributes`](super::attributes).
 
+use glam::DVec3;
+
 use super::attributes::FacesToLight;
 use super::faces::Faces;
 use super::reflection::ObjectLight;
 use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, BlockedLight, PixelLight, Shadow, Surface, SurfaceLight};
 use crate::pipeline::mesh::resample::{color_at, face_color};
+use crate::pipeline::order::pieces::Layer;
 use crate::pipeline::plan::LitAt;
 use crate::pipeline::space::ViewPoint;
 use crate::scene::ObjectPaint;
@@ -50,6 +53,17 @@ pub(crate) fn light(of: &FacesToLight, faces: &mut Faces) -> Option<Surface> {
 }
 
 impl FacesToLight<'_> {
+    /// The surface, with the data for sorting its faces.
+    pub(crate) fn layer(&self, faces: &mut Faces, never_hides_itself: bool) -> Option<Layer> {
+        let own = (0..self.vertex_count()).map(|i| self.vertices.view_point(i).0);
+        let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view_point(i).0));
+        let mut view: Vec<DVec3> = own.chain(cuts).collect();
+        if self.shares_no_vertex() {
+            view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
+        }
+        Some(Layer { surface: light(self, faces)?, view, never_hides_itself })
+    }
+
     /// The colours of faces, and next to them the light on each face.
     fn light_apart_at_faces(&self, faces: &Faces, light: &ObjectLight, shadows: &[Shadow]) -> (Base, SurfaceLight) {
         let base = match &self.object.paint {

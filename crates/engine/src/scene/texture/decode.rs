@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 
-use super::{Alpha, TextureFault};
+use super::fault::{Alpha, TextureFault};
 use crate::appearance::Texture;
 use crate::limits::{MAX_TEXELS, MAX_TEXTURE_METADATA, MAX_TEXTURE_SIDE};
 

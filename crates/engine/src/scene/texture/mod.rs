@@ -3,14 +3,16 @@
 mod builtin;
 #[cfg(feature = "import")]
 mod decode;
+mod fault;
 mod textures;
 mod unwrap;
 
 use std::sync::Arc;
 
 use super::{Mesh, TextureSource};
-pub(super) use textures::{Alpha, Textures};
-pub use textures::{TextureError, TextureFault};
+pub(super) use fault::Alpha;
+pub use fault::{TextureError, TextureFault};
+pub(super) use textures::Textures;
 pub(super) use unwrap::{mapped, split};
 
 /// Texture coordinates of the corners of each triangle: (0, 0) at the top left of the picture.

@@ -72,7 +72,7 @@ fn parse_but<T>(
 /// Reads a figure file. A missing key has its default. The empty text is the default figure.
 ///
 /// # Guarantees
-/// The camera of the figure is one that [`Camera::new`] accepts.
+/// The camera of the figure is one that [`Camera::new`](crate::camera::Camera::new) accepts.
 ///
 /// # Errors
 /// [`FigureError`] names the first faulty line: the line, the key, the value found and the values allowed.

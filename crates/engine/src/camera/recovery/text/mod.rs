@@ -11,6 +11,8 @@ mod json;
 mod lines;
 pub(crate) mod numbers;
 mod paraview;
+#[cfg(feature = "import")]
+mod tree;
 mod words;
 #[cfg(feature = "import")]
 mod yaml;
