@@ -112,7 +112,7 @@ pub fn figure(root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     figure
 }
 
-/// The figure with some of its sections read anew from a document. The line of an error is meaningless.
+/// The figure with some of its sections read again from a document. The line of an error is meaningless.
 pub(super) fn reread(figure: &Figure, sections: &[&str], document: &DocumentMut) -> Result<Figure, FigureError> {
     let read = |root: Section<'_>, faults: &mut Vec<Fault>| {
         let mut figure = figure.clone();
