@@ -4,15 +4,15 @@ use serde::Serialize;
 
 use super::args::AccuracyArgs;
 use super::render::save;
-use super::{Failure, json_of, print, progress};
+use super::{Failure, accuracy_of_figure, json_of, print, progress};
 use crate::cli::args::words::{DataFormat, written};
 use crate::export::plot::{self, Block};
 use crate::numerics::overhead::{self, Price};
 use crate::numerics::{self, Effort, Findings, Row, Study};
 use crate::progress::at_once;
 use crate::sanitize;
-use camera_lab_words::Lang;
 use camera_lab_words::why::numerics as words;
+use camera_lab_words::{Lang, command_line as texts};
 
 /// The JSON output.
 #[derive(Serialize)]
@@ -38,10 +38,20 @@ struct StudyLine<'a> {
     bits: f64,
     pareto: bool,
     predicted: Option<f64>,
+    nanos_low: f64,
+    nanos_high: f64,
+    bytes: f64,
+    undecided: bool,
 }
 
 pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
-    let (studies, seconds, seed) = (args.studies(), args.seconds(lang)?, args.seed(lang)?);
+    if let Some(figure) = &args.figure {
+        return accuracy_of_figure::run(figure, args, lang);
+    }
+    if !args.common.is_plain() {
+        return Err(Failure::BadInput(texts::without_figure(lang)));
+    }
+    let (studies, seconds, seed) = (args.studies(), args.seconds(20.0, lang)?, args.seed(lang)?);
     let plot = args.plot(lang)?;
     let effort = Effort { seed, seconds: seconds / studies.len().max(1) as f64, thorough: true };
     let (findings, price) = progress::watched(lang, |progress| {
@@ -51,7 +61,7 @@ pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
         (findings, price.flatten())
     });
     // Output and files don't depend on the system's language.
-    let written = written(args.lang);
+    let written = written(args.common.lang);
     if let Some((path, format)) = plot {
         let name = sanitize::path(path);
         let (bytes, beside) = plot::encode(&blocks(written, &findings), written.tag(), format, path)
@@ -85,19 +95,23 @@ fn blocks(lang: Lang, findings: &[Findings]) -> Vec<Block> {
 fn csv_of(findings: &[Findings]) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for Findings { study, rows, .. } in findings {
-        for Row { case, parameter, method, error, error_max, unit, nanos, bits, pareto, predicted, .. } in rows {
+        for row in rows {
             writer.serialize(StudyLine {
                 study: *study,
-                case,
-                parameter: *parameter,
-                method,
-                error: *error,
-                error_max: *error_max,
-                unit: unit.name(),
-                nanos: *nanos,
-                bits: *bits,
-                pareto: *pareto,
-                predicted: *predicted,
+                case: &row.case,
+                parameter: row.parameter,
+                method: row.method,
+                error: row.error,
+                error_max: row.error_max,
+                unit: row.unit.name(),
+                nanos: row.nanos,
+                bits: row.bits,
+                pareto: row.pareto,
+                predicted: row.predicted,
+                nanos_low: row.nanos_low,
+                nanos_high: row.nanos_high,
+                bytes: row.bytes,
+                undecided: row.undecided,
             })?;
         }
     }

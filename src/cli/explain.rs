@@ -6,20 +6,24 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::args::ExplainArgs;
-use super::{Failure, OpenFigure, json_of, print};
+use super::{Failure, OpenFigure, json_of, print, progress};
 use crate::cli::args::figure::size;
 use crate::cli::args::words::TableFormat;
 use crate::clock;
+use crate::numerics::this_figure::{Saving, savings};
 use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::{Containment, ObjectReport, Stage, StageReport};
-use crate::progress::at_once;
+use crate::progress::{Progress, at_once};
 use crate::sanitize::escaped;
 use crate::scene::{Object, Scene};
 use crate::stage::Operations;
 use crate::views::{Request, Size, View};
-use camera_lab_words::why::pipeline;
+use camera_lab_words::why::{pipeline, this_figure};
 use camera_lab_words::window::canvas;
 use camera_lab_words::{Lang, command_line as texts};
+
+/// Seconds for measuring what the stages left out would have cost.
+const SAVED_SECONDS: f64 = 2.0;
 
 /// The JSON output.
 #[derive(Serialize)]
@@ -60,6 +64,11 @@ struct StageLine {
     /// Only if the cost is requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     operations: Option<OperationsLine>,
+    /// Only of a stage that is left out, if savings are requested.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    saved_ms: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    same_bytes: Option<bool>,
 }
 
 /// Operations and accesses.
@@ -76,6 +85,10 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     let (size, lang) = (*size, *lang);
     let request = subject.request(args.view, args.force_all_stages);
     let account = account(&request).ok_or_else(|| subject.too_large())?;
+    let left_out: Vec<Stage> = account.stages.iter().filter(|report| !report.ran).map(|report| report.stage).collect();
+    let saved = |progress: &Progress| at_once(savings(&request, &left_out, SAVED_SECONDS, progress));
+    let saved =
+        if args.saved { progress::watched(lang, saved).ok_or_else(|| subject.too_large())? } else { Vec::new() };
     let view = args.view.name();
     let objects = (args.view == View::Image).then(|| objects(scene, &account, lang));
     let text = match args.format {
@@ -85,10 +98,14 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
                 text += "\n";
                 objects.iter().for_each(|object| text += &format!("{:<18} {}\n", escaped(object.name), object.reason));
             }
+            if args.saved {
+                text += "\n";
+                text += &this_figure::savings(lang, &saved);
+            }
             text
         }
         TableFormat::Json => {
-            let stages = account.stages.iter().map(|report| line(report, args.cost, lang)).collect();
+            let stages = account.stages.iter().map(|report| line(report, args.cost, &saved, lang)).collect();
             let uncounted = || Stage::ALL.into_iter().filter(|stage| !stage.is_counted()).map(Stage::name).collect();
             let not_counted = args.cost.then(uncounted);
             json_of(&Explanation { view, stages, total_micros: micros(account.total), not_counted, objects })?
@@ -122,7 +139,8 @@ fn account(request: &Request) -> Option<RenderReport> {
     at_once(renderer.pixels_into(request, &mut picture))
 }
 
-fn line(report: &StageReport, cost: bool, lang: Lang) -> StageLine {
+fn line(report: &StageReport, cost: bool, saved: &[Saving], lang: Lang) -> StageLine {
+    let saved = saved.iter().find(|saving| saving.stage == report.stage);
     let Operations { float, integer, memory } = report.operations;
     let (entering, leaving) = report.counts.unwrap_or_default();
     StageLine {
@@ -134,6 +152,8 @@ fn line(report: &StageReport, cost: bool, lang: Lang) -> StageLine {
         micros: report.time.map_or(0.0, micros),
         timed_with: report.stage.timed_with().filter(|_| report.ran && report.time.is_none()).map(|stage| stage.name()),
         operations: cost.then_some(OperationsLine { float, integer, memory }),
+        saved_ms: saved.map(|Saving { ms, .. }| [ms.median, ms.low, ms.high]),
+        same_bytes: saved.map(|saving| saving.same_bytes),
     }
 }
 

@@ -5,6 +5,7 @@
 //! system.
 
 mod accuracy;
+mod accuracy_of_figure;
 mod animate;
 mod args;
 mod argument_errors;

@@ -40,10 +40,9 @@ fn every_case_has_all_methods_one_of_them_the_programs_own_and_a_front() {
             for r in rows {
                 assert!(r.error.is_finite() && r.error >= 0.0 && r.error <= r.error_max * (1.0 + 1e-12), "{r:?}");
                 assert!((0.0..=64.0).contains(&r.bits) && r.nanos > 0.0, "{r:?}");
-                let on_front = !rows
-                    .iter()
-                    .any(|o| o.error <= r.error && o.nanos <= r.nanos && (o.error < r.error || o.nanos < r.nanos));
-                assert_eq!(r.pareto, on_front, "{r:?}");
+                assert!(r.nanos_low <= r.nanos && r.nanos <= r.nanos_high && r.bytes >= 0.0, "{r:?}");
+                let beaten = rows.iter().any(|o| o.error <= r.error && o.nanos_high < r.nanos_low);
+                assert_eq!(r.pareto, !beaten, "{r:?}");
             }
         }
     }
@@ -193,12 +192,27 @@ fn the_command_prints_json_csv_and_tables_and_refuses_unknown_words() {
     assert_eq!(value["seed"], 3);
     assert_eq!(value["studies"][0]["study"], "clipping");
     let first = value["studies"][0]["rows"][0].as_object().unwrap();
-    for key in ["case", "parameter", "method", "error", "error_max", "unit", "nanos", "bits", "pareto", "figure"] {
+    for key in [
+        "case",
+        "parameter",
+        "method",
+        "error",
+        "error_max",
+        "unit",
+        "nanos",
+        "bits",
+        "pareto",
+        "figure",
+        "nanos_low",
+        "nanos_high",
+        "bytes",
+        "undecided",
+    ] {
         assert!(first.contains_key(key), "{key}");
     }
     let csv = text(&["--format", "csv"]);
     assert_eq!(csv.lines().count(), value["studies"][0]["rows"].as_array().unwrap().len() + 1);
-    assert!(csv.starts_with("study,case,parameter,method,error,error_max,unit,nanos,bits,pareto,predicted\n"));
+    assert!(csv.starts_with("study,case,parameter,method,error,error_max,unit,nanos,bits,pareto,predicted,nanos_low,nanos_high,bytes,undecided\n"));
     let table = text(&["--lang", "pt-BR"]);
     assert!(table.contains("Segmentos por w = 0") && table.contains("f64 depois da divisão"), "{table}");
     for (args, named) in [

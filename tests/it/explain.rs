@@ -199,3 +199,24 @@ fn frames_that_are_none_are_refused() {
         assert!(run.err.contains("--frames") && run.err.contains("1 to 1000000"), "{}", run.err);
     }
 }
+
+#[test]
+fn every_stage_that_is_left_out_has_its_saving_and_the_same_bytes() {
+    let bench = Bench::new("explain-saved");
+    figure(&bench, "");
+    let told = json(&bench, &["explain", "figure.toml", "--saved"]);
+    let stages = told["stages"].as_array().unwrap();
+    assert!(stages.iter().any(|stage| stage["ran"] == false));
+    for stage in stages {
+        if stage["ran"] == true {
+            assert!(stage.get("saved_ms").is_none() && stage.get("same_bytes").is_none(), "{stage}");
+            continue;
+        }
+        let [ms, low, high] = [0, 1, 2].map(|k| stage["saved_ms"][k].as_f64().unwrap());
+        assert!(low <= ms && ms <= high, "{stage}");
+        assert_eq!(stage["same_bytes"], true, "{stage}");
+    }
+    let run = bench.run(&["explain", "figure.toml", "--saved", "--lang", "pt-BR"]);
+    let text = String::from_utf8(run.done().to_vec()).unwrap();
+    assert!(text.contains("a mesma imagem, byte por byte"), "{text}");
+}

@@ -4,6 +4,7 @@
 mod common;
 
 mod accuracy;
+mod accuracy_of_figure;
 mod attack;
 mod begun;
 mod camera_extreme;

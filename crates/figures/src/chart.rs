@@ -62,7 +62,7 @@ impl Axis {
 /// One curve, or points without a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
-    /// Its name in the legend.
+    /// Its name in the legend, in which it doesn't stand without one.
     pub name: String,
     /// Index of the colour in the palette; `None` means grey.
     pub color: Option<usize>,
@@ -87,6 +87,8 @@ pub enum Look {
     Dots,
     /// Small dots alone, pale.
     Shadow,
+    /// Discs larger than large dots, of which these leave a ring.
+    Ring,
 }
 
 impl Chart {

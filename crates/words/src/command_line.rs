@@ -50,6 +50,9 @@ texts_with_values! {
     /// A text that isn't a seed.
     seed(lang, text: &str): (text = escaped(text));
 
+    /// Arguments about a figure without one.
+    without_figure(lang);
+
     /// A file of charts whose extension isn't that of a format.
     plot_ending(lang, path: &str): (path, endings = picture_endings());
 

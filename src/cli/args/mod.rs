@@ -18,7 +18,7 @@ use glam::DVec3;
 use super::Failure;
 use crate::camera::{Decomposition, Ndc};
 use crate::cli::args::exercise::ExerciseArgs;
-use crate::cli::args::figure::{FigureArgs, number};
+use crate::cli::args::figure::{FigureArgs, number, option};
 use crate::cli::args::lesson::LessonArgs;
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::output::{OutputArgs, picture_endings};
@@ -30,6 +30,7 @@ use crate::export::format::PictureFormat;
 use crate::expression::{self, Dimension};
 use crate::limits::{MAX_FRAMES, MEASURED_SECONDS, STEP_SECONDS};
 use crate::numerics::Study;
+use crate::numerics::this_figure::WITHIN;
 use crate::sanitize;
 use crate::views::{View, Views};
 use camera_lab_words::{Lang, command_line as texts, families};
@@ -163,6 +164,9 @@ pub(super) struct ExplainArgs {
     /// Add what each stage costs: operations on floating-point and on whole numbers, and accesses to memory, counted
     #[arg(long)]
     pub(super) cost: bool,
+    /// Add the time that each stage left out would have cost this image, measured, and whether the bytes are the same
+    #[arg(long, conflicts_with = "force_all_stages")]
+    pub(super) saved: bool,
     /// A table to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
@@ -193,14 +197,29 @@ pub(super) struct BenchArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArgs {
+    /// Figure file to examine: error, time and memory of every choice that matters to it, against its exact image.
+    /// Without it, the studies of random cameras
+    pub(super) figure: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+    /// Size of the figure's image in pixels, by default that of the figure
+    #[arg(long, value_name = "WxH", requires = "figure")]
+    pub(super) size: Option<String>,
+    /// The share of pixels, 0 to 1, by which a way may be worse than the best and still not be told from it
+    #[arg(long, value_name = "SHARE", requires = "figure", default_value_t = WITHIN.to_string(), allow_hyphen_values = true)]
+    within: String,
+    /// PNG to write the exact image of the figure to
+    #[arg(long, value_name = "OUT.png", requires = "figure")]
+    pub(super) reference: Option<PathBuf>,
     /// Study to run, may be repeated; without it, all
-    #[arg(long = "study", value_parser = one_of(Study::ALL, Study::name), value_name = "NAME")]
+    #[arg(long = "study", value_parser = one_of(Study::ALL, Study::name), value_name = "NAME", conflicts_with = "figure")]
     studies: Vec<Study>,
-    /// Seconds to spend on measuring times, over all studies, 0 to 3600. Errors don't depend on it
-    #[arg(long, value_name = "S", default_value = "20", allow_hyphen_values = true)]
-    seconds: String,
+    /// Seconds to spend on measuring times, 0 to 3600, by default 20 over all studies, or 10 for a figure. Errors don't
+    /// depend on it
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    seconds: Option<String>,
     /// A whole number. The same seed gives the same inputs, and so the same errors
-    #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true, conflicts_with = "figure")]
     seed: String,
     /// A table to read, JSON or CSV for programs
     #[arg(long, value_enum, default_value_t)]
@@ -208,9 +227,6 @@ pub(super) struct AccuracyArgs {
     // The extensions are in `PictureFormat`.
     #[arg(long, value_name = "OUT", help = plot_help())]
     pub(super) plot: Option<PathBuf>,
-    /// Language of the table, the plot and messages
-    #[arg(long, value_enum, ignore_case = true)]
-    pub(super) lang: Option<LangArg>,
 }
 
 #[derive(Debug, Args)]
@@ -373,8 +389,13 @@ impl AccuracyArgs {
         Study::ALL.into_iter().filter(wanted).collect()
     }
 
-    pub(super) fn seconds(&self, lang: Lang) -> Result<f64, Failure> {
-        number("--seconds", &self.seconds, (&MEASURED_SECONDS, 20.0), lang)
+    /// The seconds for timing, by default these.
+    pub(super) fn seconds(&self, usual: f64, lang: Lang) -> Result<f64, Failure> {
+        Ok(option("--seconds", &self.seconds, (&MEASURED_SECONDS, 20.0), lang)?.unwrap_or(usual))
+    }
+
+    pub(super) fn within(&self, lang: Lang) -> Result<f64, Failure> {
+        number("--within", &self.within, (&(0.0..=1.0), WITHIN), lang)
     }
 
     pub(super) fn seed(&self, lang: Lang) -> Result<u64, Failure> {

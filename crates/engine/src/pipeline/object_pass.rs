@@ -1,7 +1,7 @@
 //! One object on its way through the stages, from its mesh to surfaces and strokes of the drawing.
 
 use crate::appearance::{Style, Visibility};
-use crate::pipeline::plan::{FacesDone, LitAt, ObjectPlan, Options, Plan};
+use crate::pipeline::plan::{FacesDone, LitAt, ObjectPlan, Options, Plan, Stage};
 use crate::pipeline::space::Screen;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
 use crate::pipeline::stage::attributes::FacesToLight;
@@ -72,7 +72,7 @@ impl<'a> ObjectPass<'a> {
     /// Clips the remaining faces. Corners that this makes take the way of all vertices.
     pub(crate) fn clip(&self, faces: &mut Faces) {
         let PassContext { screen, options, .. } = self.context;
-        clip(faces, &self.vertices(), screen, self.wants_source(), options.force_all_stages);
+        clip(faces, &self.vertices(), screen, self.wants_source(), options.forces(Stage::Clip));
     }
 
     /// Lights the remaining faces, with their normals, and hands them on as a surface.

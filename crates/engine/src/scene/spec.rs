@@ -348,7 +348,7 @@ impl Light {
     }
 
     /// The texels of its shadow maps.
-    pub(crate) fn shadow_texels(&self) -> u64 {
+    pub fn shadow_texels(&self) -> u64 {
         let maps = match self.kind {
             LightKind::Directional => 1,
             LightKind::Point => 6,

@@ -152,11 +152,11 @@ fn drawn(chart: &Chart) -> Vec<Item> {
         items.extend(curve(series, &places, false));
     }
     // Shadows don't get a second name.
-    let named = chart.series.iter().filter(|series| series.look != Look::Shadow);
+    let named = chart.series.iter().filter(|series| series.look != Look::Shadow && !series.name.is_empty());
     let mut middle = TOP;
     for series in named {
         let left = RIGHT + 10.0;
-        let piece = if series.look == Look::Dots {
+        let piece = if matches!(series.look, Look::Dots | Look::Ring) {
             vec![[left + 8.0, middle]]
         } else {
             vec![[left, middle], [left + 16.0, middle]]
@@ -178,6 +178,7 @@ fn curve(series: &Series, places: &[[f32; 2]], in_legend: bool) -> Vec<Item> {
         Look::BoldLine => (Some(3.0), None),
         Look::Dots => (None, Some(6.0)),
         Look::Shadow => (None, Some(3.0)),
+        Look::Ring => (None, Some(9.0)),
     };
     let through = places.iter().enumerate().map(|(i, p)| if i == 0 { Element::Move(*p) } else { Element::Line(*p) });
     let through = width.map(|width| Item::stroke(through.collect(), color, width, true));

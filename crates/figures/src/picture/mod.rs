@@ -52,6 +52,11 @@ pub struct Pixels {
 }
 
 impl Pixels {
+    /// A picture of opaque pixels, 4 bytes each. `None` if their number isn't that of the size.
+    pub fn opaque([width, height]: [u32; 2], rgba: Vec<u8>) -> Option<Self> {
+        (rgba.len() as u64 == 4 * u64::from(width) * u64::from(height)).then_some(Self { width, height, rgba })
+    }
+
     /// Pixels.
     pub fn width(&self) -> u32 {
         self.width

@@ -14,6 +14,7 @@ use crate::figure::{Figure, Measured, Observer, ShownStep};
 use crate::geometry::Aabb;
 use crate::pipeline::Output;
 use crate::scene::Scene;
+use crate::stage::Stage;
 
 /// A requested picture. "Has anything changed?" is `==`, whose cost doesn't grow with the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +39,8 @@ pub struct Request {
     pub size: Size,
     /// Runs every stage of the pipeline, needed or not. The picture is the same.
     pub force_all_stages: bool,
+    /// Runs this stage of the pipeline, needed or not. The picture is the same.
+    pub force_stage: Option<Stage>,
     /// The kind of output. Pixels are made from drawings for pixels.
     pub output: Output,
     /// The triangle of the shot on its way. Only the renderer sets it.
@@ -110,6 +113,7 @@ impl Request {
             labels,
             size,
             force_all_stages: false,
+            force_stage: None,
             output: Output::Pixels,
             triangle: None,
             projector: None,

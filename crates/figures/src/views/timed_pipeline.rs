@@ -34,6 +34,7 @@ impl TimedPipeline {
     ) -> Frame {
         let options = Options {
             force_all_stages: request.force_all_stages,
+            force_stage: request.force_stage,
             output: request.output,
             // Faces divided first are put into the image, with depths from F to B. Also, whole numbers of a format are
             // shares of that range.

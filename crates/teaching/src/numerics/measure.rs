@@ -5,6 +5,7 @@ use std::hint::black_box;
 use std::pin::pin;
 use std::time::Duration;
 
+use super::times::Interval;
 use crate::clock;
 use crate::progress::Progress;
 
@@ -65,8 +66,10 @@ pub(super) struct Trial {
     count: f64,
     worst: f64,
     worst_input: usize,
-    /// Nanoseconds per item, for each pass.
+    /// Nanoseconds per item, for each pass of this turn.
     nanos: Vec<f64>,
+    /// The median of the passes, for each turn before.
+    turns: Vec<f64>,
 }
 
 impl Trial {
@@ -92,7 +95,7 @@ impl Trial {
     }
 
     /// Times `pass`, which does `items` things, once to warm up, then as often as the watch allows. The median of the
-    /// passes counts, or of batches of them if the clock is too coarse for one.
+    /// passes of a turn counts, or of batches of them if the clock is too coarse for one.
     pub(super) fn time_whole(&mut self, watch: &Watch, items: usize, mut pass: impl FnMut()) {
         let mut timed = |passes: u32| {
             let start = clock::now();
@@ -143,9 +146,24 @@ impl Trial {
         self.nanos.push(time.as_secs_f64() * 1e9 / items.max(1.0));
     }
 
+    /// True in the first turn. The results of the others are the same.
+    pub(super) const fn is_first(&self) -> bool {
+        self.turns.is_empty()
+    }
+
+    /// The number of results whose errors are to be noted: all in the first turn, and then none.
+    pub(super) const fn to_judge(&self) -> usize {
+        if self.is_first() { usize::MAX } else { 0 }
+    }
+
+    /// Ends a turn.
+    pub(super) fn end_turn(&mut self) {
+        self.turns.push(median(&std::mem::take(&mut self.nanos)));
+    }
+
     /// Takes over the times of `other`, whose results were computed in the same passes.
     pub(super) fn takes_time_of(&mut self, other: &Self) {
-        self.nanos.clone_from(&other.nanos);
+        self.turns.clone_from(&other.turns);
     }
 
     /// The root of the mean square of the errors.
@@ -168,12 +186,17 @@ impl Trial {
         self.bits / self.count.max(1.0)
     }
 
-    /// The median time of one item, in nanoseconds.
-    pub(super) fn nanos(&self) -> f64 {
-        let mut sorted = self.nanos.clone();
-        sorted.sort_by(f64::total_cmp);
-        sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
+    /// The time of one item, in nanoseconds, over the turns.
+    pub(super) fn nanos(&self) -> Interval {
+        Interval::of(if self.turns.is_empty() { &self.nanos } else { &self.turns })
     }
+}
+
+/// The middle of some times; 0 without any.
+fn median(times: &[f64]) -> f64 {
+    let mut sorted = times.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]
@@ -206,7 +229,7 @@ mod tests {
         }
         assert_eq!(trial.error(), (25.0f64 / 3.0).sqrt());
         assert_eq!((trial.worst(), trial.worst_input(), trial.bits()), (4.0, 1, 2.0));
-        assert!(trial.nanos() > 0.0);
+        assert!(trial.nanos().median > 0.0);
     }
 
     #[test]
@@ -227,7 +250,7 @@ mod tests {
             std::thread::sleep(Duration::from_secs(1));
             assert_eq!(timed.as_mut().poll(&mut context), std::task::Poll::Ready(7));
         }
-        assert!((1e6..200e6).contains(&trial.nanos()), "{}", trial.nanos());
+        assert!((1e6..200e6).contains(&trial.nanos().median), "{:?}", trial.nanos());
     }
 
     #[test]
@@ -238,8 +261,8 @@ mod tests {
         let start = clock::now();
         trial.time_whole(&watch, 1, || passes = black_box(passes) + 1);
         let longest = (clock::now() - start).as_secs_f64() * 1e9;
-        assert!(passes > 1000 && trial.nanos() > 0.0, "{passes} passes");
-        assert!(trial.nanos() * f64::from(passes / 2 - 1) <= longest, "the last batch is half of all passes");
+        assert!(passes > 1000 && trial.nanos().median > 0.0, "{passes} passes");
+        assert!(trial.nanos().median * f64::from(passes / 2 - 1) <= longest, "the last batch is half of all passes");
         let mut long = Trial::default();
         let once = |count: &mut u32| {
             *count += 1;
@@ -247,6 +270,6 @@ mod tests {
         };
         let mut count = 0;
         long.time_whole(&watch, 1, || once(&mut count));
-        assert!(count == 1 && long.nanos() >= 11e6, "{count}");
+        assert!(count == 1 && long.nanos().median >= 11e6, "{count}");
     }
 }

@@ -11,10 +11,13 @@ mod depth_format;
 pub mod diagnosis;
 pub mod health;
 mod measure;
+mod memory;
 pub mod overhead;
 pub mod real;
 pub mod reference;
 mod studies;
+pub mod this_figure;
+pub mod times;
 
 use std::time::Duration;
 
@@ -24,6 +27,7 @@ use crate::clock;
 use crate::progress::{Activity, Progress};
 pub use depth_format::{Resolution, Seen, TwoPlanes, resolutions};
 use measure::{Trial, Watch};
+use times::{Interval, decide};
 
 /// The name of the program's own method.
 pub const OWN: &str = "camera-lab";
@@ -109,11 +113,19 @@ pub struct Row {
     pub unit: Unit,
     /// Median time of one item, in nanoseconds.
     pub nanos: f64,
+    /// The ends of an interval that holds it with 95 %.
+    pub nanos_low: f64,
+    /// The upper one.
+    pub nanos_high: f64,
+    /// Bytes that the method keeps for one item.
+    pub bytes: f64,
     /// log₂ of the distance from the truth in units of the last place of an `f64`, averaged.
     pub bits: f64,
-    /// No other method of the same case and parameter is at least as fast and at least as right, and better in one of
-    /// the two.
+    /// No other method of the same case and parameter has at most its error and an interval of time wholly below its
+    /// own.
     pub pareto: bool,
+    /// More turns could change [`pareto`](Self::pareto).
+    pub undecided: bool,
     /// The theoretical prediction of `error`, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub predicted: Option<f64>,
@@ -164,6 +176,13 @@ pub async fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings
     }
 }
 
+/// Turns in which the methods of a case are timed.
+const TURNS: usize = 7;
+/// Slow methods get this many at least.
+const LEAST_TURNS: usize = 2;
+/// The time of all methods of a case together after which they count as slow.
+const SLOW: Duration = Duration::from_millis(400);
+
 /// The working state of a study.
 struct Lab {
     effort: Effort,
@@ -171,30 +190,69 @@ struct Lab {
 }
 
 impl Lab {
-    /// The watch of a study that times this many passes' series.
-    fn watch(&self, series: usize) -> Watch {
-        self.progress.begin(Activity::Measuring, series);
-        let slice = Duration::try_from_secs_f64(self.effort.seconds / series.max(1) as f64).unwrap_or_default();
-        Watch { slice, tick: clock::resolution(), progress: self.progress.clone() }
+    /// The watch of a study that times this many methods of cases in each turn, on a number of setups each.
+    fn watch(&self, methods: usize, setups: usize) -> Watch {
+        self.progress.begin(Activity::Measuring, methods * self.most_turns());
+        let share = self.effort.seconds / (methods * setups * self.most_turns()).max(1) as f64;
+        Watch {
+            slice: Duration::try_from_secs_f64(share).unwrap_or_default(),
+            tick: clock::resolution(),
+            progress: self.progress.clone(),
+        }
     }
 
-    /// Measures methods, each on all setups. Pauses after each setup.
+    /// Without time for it, there's one turn.
+    const fn most_turns(&self) -> usize {
+        if self.effort.seconds > 0.0 { TURNS } else { 1 }
+    }
+
+    /// Measures methods in turns, so that whatever slows the machine slows them alike. `run` measures one, by its place,
+    /// and notes its errors in the first turn. Of several trials of a method the first is timed. Slow methods get fewer
+    /// turns. Pauses after each.
+    async fn in_turns<const N: usize>(
+        &self,
+        methods: usize,
+        mut run: impl AsyncFnMut(usize, &mut [Trial; N]),
+    ) -> Vec<[Trial; N]> {
+        let mut trials: Vec<[Trial; N]> = (0..methods).map(|_| std::array::from_fn(|_| Trial::default())).collect();
+        let start = clock::now();
+        for turn in 0..self.most_turns() {
+            let left = self.most_turns() - turn;
+            if self.progress.is_cancelled() || turn >= LEAST_TURNS && clock::now().saturating_sub(start) > SLOW {
+                self.progress.advance(left * methods);
+                break;
+            }
+            for k in 0..methods {
+                let k = (k + turn) % methods;
+                run(k, &mut trials[k]).await;
+                if let Some(timed) = trials[k].first_mut() {
+                    timed.end_turn();
+                }
+                self.progress.advance_and_pause(1).await;
+            }
+        }
+        for trials in &mut trials {
+            if let [timed, others @ ..] = &mut trials[..] {
+                others.iter_mut().for_each(|trial| trial.takes_time_of(timed));
+            }
+        }
+        trials
+    }
+
+    /// Measures methods, each on all setups.
     async fn methods<M, S>(
         &self,
         methods: &[(&'static str, M)],
         setups: &[S],
         mut measure: impl FnMut(&M, usize, &S, &mut Trial),
     ) -> Vec<Method> {
-        let mut measured = Vec::new();
-        for (name, method) in methods {
-            let mut trial = Trial::default();
+        let run = async |k: usize, [trial]: &mut [Trial; 1]| {
             for (input, setup) in setups.iter().enumerate() {
-                measure(method, input, setup, &mut trial);
-                self.progress.advance_and_pause(1).await;
+                measure(&methods[k].1, input, setup, trial);
             }
-            measured.push(Method::new(name, trial));
-        }
-        measured
+        };
+        let trials = self.in_turns(methods.len(), run).await;
+        methods.iter().zip(trials).map(|((name, _), [trial])| Method::new(name, trial)).collect()
     }
 
     /// `all` of something, or `few` for tests.
@@ -226,24 +284,26 @@ impl Method {
 
 impl Group {
     /// The rows, each with the figure of its worst input.
-    fn rows(self, figure: impl Fn(usize) -> Option<String>) -> Vec<Row> {
-        let points: Vec<[f64; 2]> = self.methods.iter().map(|m| [m.trial.error(), m.trial.nanos()]).collect();
-        let beaten = |[error, nanos]: [f64; 2]| {
-            points.iter().any(|&[e, n]| e <= error && n <= nanos && (e < error || n < nanos))
-        };
+    fn rows(self, study: Study, figure: impl Fn(usize) -> Option<String>) -> Vec<Row> {
+        let times: Vec<(f64, Interval)> = self.methods.iter().map(|m| (m.trial.error(), m.trial.nanos())).collect();
+        let verdicts = decide(&times, |a, b| a <= b);
         self.methods
             .iter()
-            .zip(&points)
-            .map(|(Method { name, trial, predicted }, &point)| Row {
+            .zip(times.iter().zip(verdicts))
+            .map(|(Method { name, trial, predicted }, (&(error, nanos), (pareto, undecided)))| Row {
                 case: self.case.clone(),
                 parameter: self.parameter,
                 method: name,
-                error: point[0],
+                error,
                 error_max: trial.worst(),
                 unit: self.unit,
-                nanos: point[1],
+                nanos: nanos.median,
+                nanos_low: nanos.low,
+                nanos_high: nanos.high,
+                bytes: memory::bytes(study, name, self.parameter),
                 bits: trial.bits(),
-                pareto: !beaten(point),
+                pareto,
+                undecided,
                 predicted: *predicted,
                 figure: figure(trial.worst_input()),
             })

@@ -40,7 +40,7 @@ pub struct Price {
 /// Measures for about the number of seconds of the effort. `None` if it was cancelled, or no such scene could be built.
 pub fn measure(effort: &Effort, progress: &Progress) -> Option<Price> {
     let lab = Lab { effort: *effort, progress: progress.clone() };
-    let watch = lab.watch(2);
+    let watch = lab.watch(2, 1);
     let figure = Figure::of_preset(Preset::Primitives);
     let parameters = figure.camera;
     let camera = Camera::new(&parameters).ok()?;
@@ -91,7 +91,7 @@ fn in_turns(watch: &Watch, camera_lab: &mut dyn FnMut(), f64: &mut dyn FnMut()) 
         plain.time_whole(&once, 1, &mut *f64);
     }
     watch.progress.advance(1);
-    Cost { camera_lab: own.nanos(), f64: plain.nanos() }
+    Cost { camera_lab: own.nanos().median, f64: plain.nanos().median }
 }
 
 const LEAST_TURNS: usize = 3;

@@ -15,4 +15,5 @@ pub mod pipeline;
 pub mod reasons;
 pub mod sources;
 pub mod stages;
+pub mod this_figure;
 pub mod triangle;

@@ -220,7 +220,7 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
         }
         table += &format!(
             "  {} {:<34}{:>10}{:>10}{:>14}{:>12}\n",
-            if row.pareto { '*' } else { ' ' },
+            mark(row),
             name(lang, row.method),
             number(&short(row.error)),
             number(&short(row.error_max)),
@@ -229,6 +229,15 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
         );
     }
     table
+}
+
+/// The mark of a row in a table: on the front, off it, or undecided.
+const fn mark(row: &Row) -> char {
+    match (row.undecided, row.pareto) {
+        (true, _) => '?',
+        (false, true) => '*',
+        (false, false) => ' ',
+    }
 }
 
 /// The cost of the camera model in double-double.

@@ -70,7 +70,7 @@ fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
             Look::BoldCurve => Some(3.0),
             Look::Line => Some(1.0),
             Look::BoldLine => Some(3.0),
-            Look::Dots | Look::Shadow => None,
+            Look::Dots | Look::Shadow | Look::Ring => None,
         };
         if let Some(width) = width {
             let line = Line::new(series.name.clone(), points()).color(color).width(width);
@@ -87,6 +87,7 @@ fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
             Look::BoldCurve => 4.0,
             Look::Dots => 5.5,
             Look::Shadow => 2.0,
+            Look::Ring => 6.0,
             Look::Line | Look::BoldLine => continue,
         };
         let color = if series.look == Look::Shadow { color.gamma_multiply(0.4) } else { color };

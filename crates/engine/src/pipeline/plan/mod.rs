@@ -39,6 +39,8 @@ pub struct Plan {
 pub struct Options {
     /// Run all stages, needed or not. The picture is the same.
     pub force_all_stages: bool,
+    /// Run this stage, needed or not. The picture is the same.
+    pub force_stage: Option<Stage>,
     /// The output of the drawing.
     pub output: Output,
     /// The depths of the drawing are 1 at F and 0 at B, whatever is in view. For a drawing that another one is put
@@ -53,6 +55,13 @@ pub struct Options {
     pub clock: Option<fn() -> Duration>,
 }
 
+impl Options {
+    /// True if a stage is to run, needed or not.
+    pub(crate) fn forces(&self, stage: Stage) -> bool {
+        self.force_all_stages || self.force_stage == Some(stage)
+    }
+}
+
 impl Plan {
     /// Plans the picture of a scene whose objects have these extents.
     pub(crate) fn new(
@@ -62,11 +71,10 @@ impl Plan {
         extents: &[Extent],
         options: Options,
     ) -> Self {
-        let force = options.force_all_stages;
         let dark = scenes.lights.is_empty();
         let casts = scenes.casts_shadows() && style.shading != Shading::Wireframe;
         let planned = |(object, extent): (&Object, &Extent)| {
-            let planned = plan_object(object, extent.containment, style, dark, force);
+            let planned = plan_object(object, extent.containment, style, dark, options);
             let is_lit_in_world = || object.in_world.as_ref().is_some_and(|in_world| !in_world.taken.is_empty());
             let takes_shadow = planned.lit != LitAt::Nowhere || is_lit_in_world();
             ObjectPlan { shadowed: planned.drawn && casts && takes_shadow, ..planned }
@@ -76,6 +84,7 @@ impl Plan {
         let stages = Stage::ALL
             .map(|stage| {
                 let (runs, reason) = counts.stage(stage, projector, style, options.output);
+                let force = options.forces(stage);
                 let reason = if force && !runs { Reason::Forced } else { reason };
                 StagePlan { stage, runs: runs || force, reason }
             })
@@ -84,7 +93,7 @@ impl Plan {
         let mut plan = Self { objects, stages, order, depth: true };
         plan.depth = match order {
             Visibility::DepthBuffer => plan.runs(Stage::HiddenSurfaces),
-            Visibility::Painter | Visibility::Bsp => counts.lines_ask || force,
+            Visibility::Painter | Visibility::Bsp => counts.lines_ask || options.forces(Stage::HiddenSurfaces),
         };
         plan
     }
@@ -101,7 +110,8 @@ impl Plan {
     }
 }
 
-fn plan_object(object: &Object, containment: Containment, style: &Style, dark: bool, force: bool) -> ObjectPlan {
+fn plan_object(object: &Object, containment: Containment, style: &Style, dark: bool, options: Options) -> ObjectPlan {
+    let (force, forces) = (options.force_all_stages, |stage| options.forces(stage));
     let drawn = match containment {
         Containment::Crosses(_) => true,
         Containment::Outside(_) => force,
@@ -111,19 +121,19 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         return containment.into();
     }
     let clip_planes = match containment {
-        Containment::Crosses(planes) if !force => planes,
+        Containment::Crosses(planes) if !forces(Stage::Clip) => planes,
         Containment::Crosses(_) | Containment::Outside(_) | Containment::Empty => ALL_PLANES,
     };
     let translucent = object.paint.is_translucent();
-    let textured = matches!(&object.paint, ObjectPaint::Texture(pictured) if force || pictured.one_color().is_none());
+    let textured = matches!(&object.paint, ObjectPaint::Texture(pictured) if forces(Stage::Texture) || pictured.one_color().is_none());
     let vertex_colors = matches!(object.paint, ObjectPaint::Vertices(_));
     let lit = match style.shading {
         _ if !object.lit => LitAt::Nowhere,
-        _ if dark && !force => LitAt::Nowhere,
+        _ if dark && !forces(Stage::Light) => LitAt::Nowhere,
         // Without a lamp the formula gives each colour back, wherever it is applied.
         _ if dark && vertex_colors => LitAt::Vertices,
         _ if dark => LitAt::Faces,
-        Shading::Wireframe if !force => LitAt::Nowhere,
+        Shading::Wireframe if !forces(Stage::Light) => LitAt::Nowhere,
         Shading::Wireframe | Shading::Flat => LitAt::Faces,
         Shading::Gouraud => LitAt::Vertices,
         // Interpolated colours are lit where they are known.
@@ -134,7 +144,9 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         containment,
         drawn,
         clip_planes,
-        faces: object.faces && !object.mesh.triangles.is_empty() && (force || style.shading != Shading::Wireframe),
+        faces: object.faces
+            && !object.mesh.triangles.is_empty()
+            && (forces(Stage::Fill) || style.shading != Shading::Wireframe),
         cull_back: !object.shows_both_sides(false),
         lit,
         shadowed: false,

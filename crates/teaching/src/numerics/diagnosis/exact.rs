@@ -113,7 +113,11 @@ fn not_compared(objects: Vec<usize>) -> Fault {
 }
 
 /// The pixels that show an opaque or translucent face of the wrong depth. `None` if it was cancelled.
-pub(super) async fn wrong_faces(spec: &ImageSpec<'_>, counter: &mut Counter, progress: &Progress) -> Option<u64> {
+pub(in crate::numerics) async fn wrong_faces(
+    spec: &ImageSpec<'_>,
+    counter: &mut Counter,
+    progress: &Progress,
+) -> Option<u64> {
     let spec = &ImageSpec { image: smaller(spec.image, spec.compared), ..*spec };
     let opaque = faces(spec, counter, progress).await?;
     Some(opaque.into_iter().chain(layers(spec, counter)).map(|fault| fault.pixels.wrong).sum())

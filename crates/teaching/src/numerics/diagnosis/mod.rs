@@ -12,7 +12,7 @@ mod exact;
 mod place;
 mod repair;
 mod subject;
-mod tiles;
+pub(super) mod tiles;
 
 use glam::DVec3;
 
@@ -25,6 +25,7 @@ use crate::scene::Scene;
 pub use camera::{ImpossibleCamera, impossible_camera};
 pub use count::Counter;
 pub use exact::WrongPixels;
+pub(super) use exact::wrong_faces;
 pub use repair::{Repair, Value, changes};
 
 use place::{Side, Whereabouts};

@@ -18,7 +18,7 @@ const MAX_LISTED: usize = 1 << 25;
 const MARGIN: f64 = 1.0;
 
 /// Triangles in view space (VRC), by tiles of the image.
-pub(super) struct Tiles<'a> {
+pub(in crate::numerics) struct Tiles<'a> {
     camera: &'a Camera,
     image: ImageSize,
     triangles: Vec<Triangle>,
@@ -36,11 +36,11 @@ struct Triangle {
 
 /// The nearest face at a place.
 #[derive(Clone, Copy)]
-pub(super) struct Nearest {
+pub(in crate::numerics) struct Nearest {
     /// Its number among all triangles.
-    pub(super) triangle: usize,
+    pub(in crate::numerics) triangle: usize,
     /// Its distance from the plane of the eye.
-    pub(super) depth: f64,
+    pub(in crate::numerics) depth: f64,
 }
 
 /// A ray in view space. Its points are origin + depth · `per_depth`.
@@ -51,7 +51,7 @@ struct Ray {
 
 impl<'a> Tiles<'a> {
     /// `None` if the lists of the tiles would be too long.
-    pub(super) fn new<'o>(
+    pub(in crate::numerics) fn new<'o>(
         objects: impl Iterator<Item = &'o Object>,
         camera: &'a Camera,
         image: ImageSize,
@@ -115,7 +115,7 @@ impl<'a> Tiles<'a> {
 
     /// The place of a point in front of the eye in the image, in pixels from the top left; `[0]` Eqs. (5.9), (5.10),
     /// (5.22).
-    fn place(&self, p: DVec3) -> [f64; 2] {
+    pub(in crate::numerics) fn place(&self, p: DVec3) -> [f64; 2] {
         let window = self.camera.window();
         let scale = match self.camera.projection() {
             Projection::Perspective => self.camera.near() / -p.z,
@@ -143,19 +143,41 @@ impl<'a> Tiles<'a> {
 
     /// The nearest face at a place of the image, in pixels from the top left, between the front and the back plane.
     pub(super) fn nearest(&self, place: [f64; 2]) -> Option<Nearest> {
+        self.met(place).reduce(|old, new| if new.depth < old.depth { new } else { old })
+    }
+
+    /// All faces at a place of the image, between the front and the back plane, the nearest first. Of faces at one
+    /// depth, the first of the scene comes first.
+    pub(in crate::numerics) fn all(&self, place: [f64; 2]) -> Vec<Nearest> {
+        let mut all: Vec<Nearest> = self.met(place).collect();
+        all.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+        all
+    }
+
+    fn met(&self, place: [f64; 2]) -> impl Iterator<Item = Nearest> {
         let Ray { origin, per_depth } = self.ray(place);
         let tile = tile(place[1]) * self.across + tile(place[0]);
         let range = self.camera.near()..=self.camera.far();
-        let mut nearest: Option<Nearest> = None;
-        for &number in self.tiles.get(tile)? {
+        let meets = move |&number: &u32| {
             let Triangle { corners, side } = &self.triangles[number as usize];
-            let Some((depth, is_front)) = ray_meets_triangle(origin, per_depth, *corners) else { continue };
-            let is_drawn = side.is_none_or(|side| side == is_front);
-            if is_drawn && range.contains(&depth) && nearest.is_none_or(|old| depth < old.depth) {
-                nearest = Some(Nearest { triangle: number as usize, depth });
-            }
-        }
-        nearest
+            let (depth, is_front) = ray_meets_triangle(origin, per_depth, *corners)?;
+            let is_drawn = side.is_none_or(|side| side == is_front) && range.contains(&depth);
+            is_drawn.then_some(Nearest { triangle: number as usize, depth })
+        };
+        self.tiles.get(tile).map_or(&[][..], Vec::as_slice).iter().filter_map(meets)
+    }
+
+    /// The corners of a triangle in view space.
+    pub(in crate::numerics) fn corners(&self, triangle: usize) -> Option<[DVec3; 3]> {
+        Some(self.triangles.get(triangle)?.corners)
+    }
+
+    /// The point of the plane of a triangle at a place of the image, in view space. Not finite if the ray runs along
+    /// the plane.
+    pub(in crate::numerics) fn on_plane(&self, [a, b, c]: [DVec3; 3], place: [f64; 2]) -> DVec3 {
+        let Ray { origin, per_depth } = self.ray(place);
+        let normal = (b - a).cross(c - a);
+        origin + per_depth * (normal.dot(a - origin) / normal.dot(per_depth))
     }
 
     /// The distance of the plane of a triangle behind a depth at a place of the image, in units of the error that the

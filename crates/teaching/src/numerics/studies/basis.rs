@@ -16,7 +16,7 @@ use crate::numerics::chain::{self, Vector};
 use crate::numerics::measure::{Off, Trial, mean_bits};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
-use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 
 /// The angles between VUP and DOP, in radians.
 const ANGLES: [f64; 8] = [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-11, 1e-13, 1e-15];
@@ -25,7 +25,7 @@ const SIZES: [(&str, f64); 3] = [("size 1", 1.0), ("size 1e150", 1e150), ("size 
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(200, 12);
-    let watch = lab.watch(SIZES.len() * ANGLES.len() * METHODS.len());
+    let watch = lab.watch(SIZES.len() * ANGLES.len() * METHODS.len(), 1);
     let mut rows = Vec::new();
     for (s, (case, size)) in SIZES.into_iter().enumerate() {
         for (a, angle) in ANGLES.into_iter().enumerate() {
@@ -35,18 +35,15 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             let mut random = Random::new(lab.effort.seed, 200 + (s * ANGLES.len() + a) as u64);
             let inputs: Vec<Parameters> = (0..count).map(|_| input(&mut random, angle, size)).collect();
             let exact: Vec<_> = inputs.iter().map(reference).collect();
-            let mut methods = Vec::new();
-            for (name, method) in METHODS {
-                let mut trial = Trial::default();
+            let measure = |method: &Basis, _, (): &(), trial: &mut Trial| {
                 let results = trial.time(&watch, &inputs, method);
-                for (i, (axes, exact)) in results.iter().zip(&exact).enumerate() {
+                for (i, (axes, exact)) in results.iter().zip(&exact).enumerate().take(trial.to_judge()) {
                     trial.note(i, off(axes, exact));
                 }
-                lab.progress.advance_and_pause(1).await;
-                methods.push(Method::new(name, trial));
-            }
+            };
+            let methods = lab.methods(&METHODS, &[()], measure).await;
             let group = Group { case: case.to_owned(), parameter: angle, unit: Unit::Radians, methods };
-            rows.extend(group.rows(|i| inputs.get(i).map(|p| figure_of(p, size))));
+            rows.extend(group.rows(Study::Basis, |i| inputs.get(i).map(|p| figure_of(p, size))));
         }
     }
     let working_set = count * size_of::<Parameters>();

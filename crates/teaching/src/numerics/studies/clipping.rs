@@ -15,7 +15,7 @@ use crate::numerics::chain::{Matrix, Vector, projection_matrix};
 use crate::numerics::measure::{Off, Trial, mean_bits};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
-use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 use crate::pipeline::canonical::clipped_segment_of;
 use crate::scene::{ObjectSpec, Shape};
 
@@ -28,7 +28,7 @@ type Ends = [DVec3; 2];
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(300, 20);
-    let watch = lab.watch(2 * BEHIND.len() * 5);
+    let watch = lab.watch(2 * BEHIND.len() * 5, 1);
     let mut rows = Vec::new();
     let parameters = Parameters {
         position: DVec3::ZERO,
@@ -54,24 +54,22 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             let mut random = Random::new(lab.effort.seed, 500 + (c * BEHIND.len() + b) as u64);
             let segments: Vec<Ends> = (0..count).map(|_| segment(&mut random, sign * behind)).collect();
             let exact: Vec<Option<Ends>> = segments.iter().map(|ends| before_divide(&matrix, ends)).collect();
-            let run = async |name, method: &dyn Fn(&Ends) -> Option<Ends>| {
-                let mut trial = Trial::default();
+            let methods: [(&str, &dyn Fn(&Ends) -> Option<Ends>); 5] = [
+                ("f32 after the divide", &|ends| after_divide(&single, ends)),
+                ("f32 before the divide", &|ends| before_divide(&single, ends)),
+                ("f64 after the divide", &|ends| after_divide(&double, ends)),
+                ("f64 before the divide", &|ends| before_divide(&double, ends)),
+                (OWN, &|&ends| own(ends).map(displayed)),
+            ];
+            let measure = |method: &&dyn Fn(&Ends) -> Option<Ends>, _, (): &(), trial: &mut Trial| {
                 let results = trial.time(&watch, &segments, method);
-                for (i, (result, exact)) in results.iter().zip(&exact).enumerate() {
+                for (i, (result, exact)) in results.iter().zip(&exact).enumerate().take(trial.to_judge()) {
                     trial.note(i, off(result.as_ref(), exact.as_ref()));
                 }
-                lab.progress.advance_and_pause(1).await;
-                Method::new(name, trial)
             };
-            let methods = vec![
-                run("f32 after the divide", &|ends| after_divide(&single, ends)).await,
-                run("f32 before the divide", &|ends| before_divide(&single, ends)).await,
-                run("f64 after the divide", &|ends| after_divide(&double, ends)).await,
-                run("f64 before the divide", &|ends| before_divide(&double, ends)).await,
-                run(OWN, &|&ends| own(ends).map(displayed)).await,
-            ];
+            let methods = lab.methods(&methods, &[()], measure).await;
             let group = Group { case: case.to_owned(), parameter: behind, unit: Unit::Ndc, methods };
-            rows.extend(group.rows(|i| segments.get(i).map(|ends| figure(&parameters, ends))));
+            rows.extend(group.rows(Study::Clipping, |i| segments.get(i).map(|ends| figure(&parameters, ends))));
         }
     }
     let working_set = count * size_of::<Ends>();

@@ -46,7 +46,7 @@ const CASES: [(&str, Projection, DepthCase); 6] = [
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(400, 40);
-    let watch = lab.watch(CASES.len() * RATIOS.len() * FORMATS.len());
+    let watch = lab.watch(CASES.len() * RATIOS.len() * FORMATS.len(), 1);
     let mut rows = Vec::new();
     for (c, (case, projection, place)) in CASES.into_iter().enumerate() {
         for (r, ratio) in RATIOS.into_iter().enumerate() {
@@ -60,19 +60,26 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             let cubes = depths.iter().map(|&z| InView::between(z, z * (1.0 + GAP) + 2.0 * size_of_cube(z)));
             let (own_scale, own) = depth_buffer_of(&camera, cubes.fold(InView::NOTHING, InView::and));
             let range = Range::from_0_to_1(projection, ratio);
-            let mut methods = Vec::new();
-            for format in FORMATS {
+            let mut predicted = [0.0; FORMATS.len()];
+            let run = async |k: usize, [trial]: &mut [Trial; 1]| {
+                let format = FORMATS[k];
                 let value = |z: f64| if format == Format::Own { order(own(z)) } else { format.value(&range, z) };
-                let mut trial = Trial::default();
                 trial.time(&watch, &depths, |&z| value(z));
-                let predicted =
-                    place.judge(&range, &depths, &value, &|z| format.step(&range, &own_scale, z), &mut trial);
-                lab.progress.advance_and_pause(1).await;
-                methods.push(Method { name: format.name(), trial, predicted: Some(predicted) });
-            }
+                if trial.is_first() {
+                    predicted[k] = place.judge(&range, &depths, &value, &|z| format.step(&range, &own_scale, z), trial);
+                }
+            };
+            let trials = lab.in_turns(FORMATS.len(), run).await;
+            let methods = FORMATS.iter().zip(trials).zip(predicted);
+            let methods = methods.map(|((format, [trial]), predicted)| Method {
+                name: format.name(),
+                trial,
+                predicted: Some(predicted),
+            });
+            let methods = methods.collect();
             let unit = if matches!(place, DepthCase::Everywhere) { Unit::Share } else { Unit::SceneUnits };
             let group = Group { case: case.to_owned(), parameter: ratio, unit, methods };
-            rows.extend(group.rows(|i| depths.get(i).map(|&z| figure(&parameters, z))));
+            rows.extend(group.rows(Study::DepthBuffer, |i| depths.get(i).map(|&z| figure(&parameters, z))));
         }
     }
     let working_set = count * size_of::<f64>();

@@ -44,7 +44,7 @@ const METHODS: [(&str, Solve); 3] = [("two lines", two_lines), ("mean of interse
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(200, 20);
-    let watch = lab.watch(ANGLES.len() * METHODS.len());
+    let watch = lab.watch(ANGLES.len() * METHODS.len(), 1);
     let mut rows = CASES.map(|_| Vec::new());
     for (place, angle) in ANGLES.into_iter().enumerate() {
         if lab.progress.is_cancelled() {
@@ -53,24 +53,24 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
         let mut random = Random::new(lab.effort.seed, 1100 + place as u64);
         let inputs: Vec<Input> = (0..count).filter_map(|_| input(&mut random, angle)).collect();
         let mut methods = CASES.map(|_| Vec::new());
-        for (name, method) in METHODS {
-            let mut trials = CASES.map(|_| Trial::default());
-            let results = trials[0].time(&watch, &inputs, method);
-            for (i, (result, input)) in results.iter().zip(&inputs).enumerate() {
+        let run = async |k: usize, trials: &mut [Trial; CASES.len()]| {
+            let results = trials[0].time(&watch, &inputs, METHODS[k].1);
+            for (i, (result, input)) in results.iter().zip(&inputs).enumerate().take(trials[0].to_judge()) {
                 for (trial, off) in trials.iter_mut().zip(off(result.as_ref(), input.exact)) {
                     trial.note(i, off);
                 }
             }
-            let [first, mut second] = trials;
-            second.takes_time_of(&first);
-            for (methods, trial) in methods.iter_mut().zip([first, second]) {
+        };
+        for ((name, _), trials) in METHODS.into_iter().zip(lab.in_turns(METHODS.len(), run).await) {
+            for (methods, trial) in methods.iter_mut().zip(trials) {
                 methods.push(Method::new(name, trial));
             }
-            lab.progress.advance_and_pause(1).await;
         }
         for ((case, methods), rows) in CASES.into_iter().zip(methods).zip(&mut rows) {
             let group = Group { case: case.to_owned(), parameter: angle, unit: Unit::Radians, methods };
-            rows.extend(group.rows(|i| inputs.get(i).map(|input| figure_of(&input.parameters, 1.0))));
+            rows.extend(
+                group.rows(Study::Photograph, |i| inputs.get(i).map(|input| figure_of(&input.parameters, 1.0))),
+            );
         }
     }
     let working_set = count * (size_of::<Input>() + AXES.len() * LINES * size_of::<PhotographLine>());

@@ -26,19 +26,18 @@ const STRETCH: u32 = 4_000;
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let steps = &STEPS[..lab.many(3, 2)];
-    // Each run is timed once, however much time there is.
-    let watch = Watch { slice: Duration::ZERO, ..lab.watch(steps.len() * METHODS.len()) };
+    // Each run is timed once in each turn, however much time there is.
+    let watch = Watch { slice: Duration::ZERO, ..lab.watch(steps.len() * METHODS.len(), 1) };
     let mut rows = Vec::new();
     for (i, &count) in steps.iter().enumerate() {
         let inputs = if count > 1_000 { 1 } else { lab.many(16, 2) };
         let mut random = Random::new(lab.effort.seed, 300 + i as u64);
         let starts: Vec<Start> = (0..inputs).filter_map(|_| Start::new(&mut random, count)).collect();
-        let mut trials: Vec<[Trial; 3]> = Vec::new();
-        for (_, turned) in METHODS {
-            if lab.progress.is_cancelled() {
-                break;
-            }
-            let mut of_method = [Trial::default(), Trial::default(), Trial::default()];
+        if lab.progress.is_cancelled() {
+            break;
+        }
+        let run = async |k: usize, of_method: &mut [Trial; 3]| {
+            let turned = METHODS[k].1;
             for (input, start) in starts.iter().enumerate() {
                 let timed = &mut of_method[0];
                 let end = if count > STRETCH {
@@ -50,20 +49,21 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
                     });
                     end
                 };
-                for (trial, off) in of_method.iter_mut().zip(start.judge(&end)) {
-                    trial.note(input, off);
+                if of_method[0].is_first() {
+                    for (trial, off) in of_method.iter_mut().zip(start.judge(&end)) {
+                        trial.note(input, off);
+                    }
                 }
             }
-            let [timed, others @ ..] = &mut of_method;
-            others.iter_mut().for_each(|trial| trial.takes_time_of(timed));
-            trials.push(of_method);
-            lab.progress.advance_and_pause(1).await;
-        }
+        };
+        let trials = lab.in_turns(METHODS.len(), run).await;
         for (k, (case, unit)) in CASES.into_iter().enumerate() {
             let methods =
                 METHODS.iter().zip(&trials).map(|((name, _), trials)| Method::new(name, trials[k].clone())).collect();
             let group = Group { case: case.to_owned(), parameter: f64::from(count), unit, methods };
-            rows.extend(group.rows(|input| starts.get(input).map(|start| figure_of(&start.parameters, 1.0))));
+            rows.extend(group.rows(Study::RepeatedOperations, |input| {
+                starts.get(input).map(|start| figure_of(&start.parameters, 1.0))
+            }));
         }
     }
     // Each case by itself, as in the other studies.

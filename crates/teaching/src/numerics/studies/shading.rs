@@ -30,7 +30,7 @@ const LIGHT: DVec3 = DVec3::new(-0.5, -1.0, -0.7);
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let segments = &SEGMENTS[..lab.many(7, 3)];
-    let watch = lab.watch(2 * segments.len() * METHODS.len());
+    let watch = lab.watch(2 * segments.len() * METHODS.len(), 1);
     let mut rows = Vec::new();
     for solid in [Solid::Sphere, Solid::Torus] {
         if lab.progress.is_cancelled() {
@@ -40,21 +40,25 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
         let mut silhouettes = Vec::new();
         for &count in segments {
             let (mut colors, mut outlines) = (Vec::new(), Vec::new());
-            for (name, shading) in METHODS {
-                let (mut color, mut outline) = (Trial::default(), Trial::default());
-                let pixels = setup.painted(count, shading.unwrap_or_default(), &mut color, &watch);
-                setup.judge(&pixels, &mut color, &mut outline);
-                outline.takes_time_of(&color);
+            let run = async |k: usize, [color, outline]: &mut [Trial; 2]| {
+                let pixels = setup.painted(count, METHODS[k].1.unwrap_or_default(), color, &watch);
+                if color.is_first() {
+                    setup.judge(&pixels, color, outline);
+                }
+            };
+            for ((name, _), [color, outline]) in METHODS.into_iter().zip(lab.in_turns(METHODS.len(), run).await) {
                 colors.push(Method::new(name, color));
                 outlines.push(Method::new(name, outline));
-                lab.progress.advance_and_pause(1).await;
             }
             let parameter = f64::from(count);
             let [case, silhouette] = solid.cases();
             let figure = |_| Some(setup.figure(count));
-            rows.extend(Group { case: case.to_owned(), parameter, unit: Unit::Color, methods: colors }.rows(figure));
+            rows.extend(
+                Group { case: case.to_owned(), parameter, unit: Unit::Color, methods: colors }
+                    .rows(Study::Shading, figure),
+            );
             let group = Group { case: silhouette.to_owned(), parameter, unit: Unit::Share, methods: outlines };
-            silhouettes.extend(group.rows(figure));
+            silhouettes.extend(group.rows(Study::Shading, figure));
         }
         rows.extend(silhouettes);
     }

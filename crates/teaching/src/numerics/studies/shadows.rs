@@ -66,7 +66,7 @@ struct Case {
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let (count, maps) = (lab.many(3, 1), &MAPS[..lab.many(4, 2)]);
-    let watch = lab.watch(CASES.len() * maps.len() * METHODS.len() * count);
+    let watch = lab.watch(CASES.len() * maps.len() * METHODS.len(), count);
     let mut by_case: [Vec<Row>; 3 * CASES.len()] = Default::default();
     for (c, case) in CASES.iter().enumerate() {
         let mut random = Random::new(lab.effort.seed, 1000 + c as u64);
@@ -79,19 +79,19 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             if lab.progress.is_cancelled() {
                 break;
             }
+            let shadows = |way: Way| way.map_or(Shadows::CAST, |way| way(map));
             let (mut methods, mut figures): ([Vec<Method>; 3], [Vec<Option<String>>; 3]) = Default::default();
-            for (name, way) in METHODS {
-                let shadows = way.map_or(Shadows::CAST, |way| way(map));
-                let mut trials: [Trial; 3] = Default::default();
+            let run = async |k: usize, trials: &mut [Trial; 3]| {
                 for (input, setup) in setups.iter().enumerate() {
-                    let wrong = setup.wrong(shadows, &mut trials[0], &watch).await;
-                    for (trial, error) in trials.iter_mut().zip(wrong) {
+                    let wrong = setup.wrong(shadows(METHODS[k].1), &mut trials[0], &watch).await;
+                    for (trial, error) in trials.iter_mut().zip(wrong.into_iter().flatten()) {
                         trial.note(input, Off { error, bits: 64.0 * error });
                     }
-                    lab.progress.advance_and_pause(1).await;
                 }
-                let [all, others @ ..] = &mut trials;
-                others.iter_mut().for_each(|trial| trial.takes_time_of(all));
+            };
+            let measured = lab.in_turns(METHODS.len(), run).await;
+            for ((name, way), trials) in METHODS.into_iter().zip(measured) {
+                let shadows = shadows(way);
                 for (k, trial) in trials.into_iter().enumerate() {
                     figures[k].push(setups.get(trial.worst_input()).map(|setup| setup.figure(shadows)));
                     methods[k].push(Method::new(name, trial));
@@ -100,7 +100,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             for (k, (methods, figures)) in methods.into_iter().zip(figures).enumerate() {
                 let (case, parameter) = (case.names[k].to_owned(), f64::from(map));
                 // Each method has a figure of its own with its shadows.
-                let rows = Group { case, parameter, unit: Unit::Share, methods }.rows(|_| None);
+                let rows = Group { case, parameter, unit: Unit::Share, methods }.rows(Study::Shadows, |_| None);
                 let rows = rows.into_iter().zip(figures).map(|(row, figure)| Row { figure, ..row });
                 by_case[k * CASES.len() + c].extend(rows);
             }
@@ -132,8 +132,8 @@ impl Setup {
         Some(Self { figure, camera, scene, light, solids, truth })
     }
 
-    /// The shares of pixels that are wrong, wrongly dark and wrongly lit.
-    async fn wrong(&self, shadows: Shadows, trial: &mut Trial, watch: &Watch) -> [f64; 3] {
+    /// The shares of pixels that are wrong, wrongly dark and wrongly lit. `None` after the first turn.
+    async fn wrong(&self, shadows: Shadows, trial: &mut Trial, watch: &Watch) -> Option<[f64; 3]> {
         let scene = Scene { lights: vec![self.light.with_shadows(shadows)], ..self.scene.clone() };
         let mut rasterizer = Rasterizer::default();
         let mut painted = None;
@@ -142,15 +142,13 @@ impl Setup {
             let drawing = arriving(&mut Pipeline::default(), &scene, &self.camera, SIZE);
             painted = rasterizer.paint(&drawing);
         });
-        let Some(pixmap) = painted else { return [0.0; 3] };
-        let Some(verdicts) = self.truth.judge(&pixmap, &self.solids, &self.camera, &watch.progress).await else {
-            return [0.0; 3];
-        };
+        let pixmap = painted.filter(|_| trial.is_first())?;
+        let verdicts = self.truth.judge(&pixmap, &self.solids, &self.camera, &watch.progress).await?;
         let count = |is: fn(Verdict) -> bool| verdicts.iter().filter(|verdict| is(**verdict)).count();
         let of = count(|verdict| verdict != Verdict::None).max(1);
         let dark = count(|verdict| verdict == Verdict::WronglyDark);
         let lit = count(|verdict| verdict == Verdict::WronglyLit);
-        [dark + lit, dark, lit].map(|wrong| wrong as f64 / of as f64)
+        Some([dark + lit, dark, lit].map(|wrong| wrong as f64 / of as f64))
     }
 
     /// The figure with its wrong pixels marked.

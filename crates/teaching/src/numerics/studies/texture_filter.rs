@@ -34,7 +34,7 @@ const DISTANCE: f64 = 3.0;
 const HALF: f64 = 10.0;
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
-    let watch = lab.watch(TILTS.len() * SCALES.len() * METHODS.len());
+    let watch = lab.watch(TILTS.len() * SCALES.len() * METHODS.len(), 1);
     let chequer = Arc::new(chequer());
     let mut rows = Vec::new();
     for (c, (case, tilt)) in TILTS.into_iter().enumerate() {
@@ -47,7 +47,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             let Some(setup) = Setup::new(tilt, scale, shift).await else { continue };
             let measure = |method: &Way, input, setup: &Setup, trial: &mut Trial| {
                 let light = setup.light(*method, &chequer, trial, &watch);
-                for (&computed, &exact) in light.iter().zip(&setup.exact) {
+                for (&computed, &exact) in light.iter().zip(&setup.exact).take(trial.to_judge()) {
                     trial.note(input, Off { error: (computed - exact).abs(), bits: bits_off(computed, exact) });
                 }
             };
@@ -55,7 +55,13 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             let group = Group { case: case.to_owned(), parameter: scale, unit: Unit::Color, methods };
             // Each method has a figure of its own with its filter.
             let of_methods = METHODS.map(|(_, way)| Some(setup.figure(way)));
-            rows.extend(group.rows(|_| None).into_iter().zip(of_methods).map(|(row, figure)| Row { figure, ..row }));
+            rows.extend(
+                group
+                    .rows(Study::TextureFilter, |_| None)
+                    .into_iter()
+                    .zip(of_methods)
+                    .map(|(row, figure)| Row { figure, ..row }),
+            );
         }
     }
     let texels = (TEXELS * TEXELS) as usize;

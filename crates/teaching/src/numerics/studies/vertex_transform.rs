@@ -23,7 +23,7 @@ const CASES: [(&str, Projection); 2] = [("perspective", Projection::Perspective)
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let (cameras, points) = (lab.many(8, 2), lab.many(128, 8));
-    let watch = lab.watch(CASES.len() * DISTANCES.len() * METHODS.len() * cameras);
+    let watch = lab.watch(CASES.len() * DISTANCES.len() * METHODS.len(), cameras);
     let mut rows = Vec::new();
     for (case, projection) in CASES {
         for (i, &parameter) in DISTANCES.iter().enumerate() {
@@ -35,11 +35,15 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
                 (0..cameras).filter_map(|_| Setup::new(&mut random, parameter, projection, points)).collect();
             let measure = |run: &Run, input, setup: &Setup, trial: &mut Trial| {
                 let results = run(setup, trial, &watch);
-                setup.judge(input, &results, trial);
+                if trial.is_first() {
+                    setup.judge(input, &results, trial);
+                }
             };
             let methods = lab.methods(&METHODS, &setups, measure).await;
             let group = Group { case: case.to_owned(), parameter, unit: Unit::SceneUnits, methods };
-            rows.extend(group.rows(|input| setups.get(input).map(|setup| figure_of(&setup.parameters, 1.0))));
+            rows.extend(group.rows(Study::VertexTransform, |input| {
+                setups.get(input).map(|setup| figure_of(&setup.parameters, 1.0))
+            }));
         }
     }
     let working_set = points * 2 * size_of::<DVec3>();

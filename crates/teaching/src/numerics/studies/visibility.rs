@@ -33,7 +33,7 @@ const CASES: [(&str, Triangles); 3] =
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let (count, ratios) = (lab.many(3, 1), &RATIOS[..lab.many(4, 3)]);
-    let watch = lab.watch(CASES.len() * ratios.len() * METHODS.len() * count);
+    let watch = lab.watch(CASES.len() * ratios.len() * METHODS.len(), count);
     let mut rows = Vec::new();
     for (c, (case, triangles)) in CASES.into_iter().enumerate() {
         for &ratio in ratios {
@@ -48,11 +48,13 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             }
             let measure = |method: &Seen, input, setup: &Setup, trial: &mut Trial| {
                 let seen = method(setup, trial, &watch);
-                trial.note(input, setup.off(&seen));
+                if trial.is_first() {
+                    trial.note(input, setup.off(&seen));
+                }
             };
             let methods = lab.methods(&METHODS, &setups, measure).await;
             let group = Group { case: case.to_owned(), parameter: ratio, unit: Unit::Share, methods };
-            rows.extend(group.rows(|input| setups.get(input).map(Setup::figure)));
+            rows.extend(group.rows(Study::Visibility, |input| setups.get(input).map(Setup::figure)));
         }
     }
     let working_set = (SIZE[0] * SIZE[1]) as usize * size_of::<u64>();
