@@ -98,7 +98,7 @@ impl Maker<'_, '_> {
                 let style = self.colors.grid_style(placed.color.unwrap_or(self.colors.grid));
                 let lines = primitives::grid_lines(allowed_segments(placed.spec)?);
                 let first = scene.lines.len();
-                scene.lines.extend(lines.iter().map(|l| Line { points: l.map(to_world).to_vec(), style }));
+                scene.lines.extend(lines.iter().map(|l| Line::new(l.map(to_world).to_vec(), style)));
                 scene.grids.push((name.clone(), first..scene.lines.len()));
             }
             Shape::Points(points) => {

@@ -279,7 +279,7 @@ fn drawing(scene: &Scene) -> Drawing {
         hidden: HiddenLines::Dashed,
         arrow: false,
     };
-    let strokes = StrokeSet { points: Vec::new(), polylines: Vec::new(), style };
+    let strokes = StrokeSet::pairs(&[], style);
     Drawing {
         antialias: scene.antialias,
         painted_in_order: scene.painted_in_order,

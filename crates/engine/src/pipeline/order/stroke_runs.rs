@@ -416,7 +416,6 @@ mod tests {
 
     fn drawing(points: &[[f32; 3]], hidden: HiddenLines) -> Drawing {
         let style = LineStyle { color: Rgba::rgb(0, 0, 0), width: 1.0, dash: Dash::Solid, hidden, arrow: false };
-        let end = u32::try_from(points.len()).unwrap_or(0);
         Drawing {
             width: 100,
             height: 70,
@@ -425,7 +424,7 @@ mod tests {
             painted_in_order: false,
             depth_format: Default::default(),
             surfaces: vec![Surface::solid(WALL.to_vec(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(200, 200, 200))],
-            strokes: vec![StrokeSet { points: points.to_vec(), polylines: std::iter::once(0..end).collect(), style }],
+            strokes: vec![StrokeSet::line(points.to_vec(), style)],
             areas: Vec::new(),
             marks: Vec::new(),
             labels: Vec::new(),

@@ -145,10 +145,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     let corner = DVec2::new(f64::from(rect.x), f64::from(rect.y));
     author_labels::add_notes(&mut drawn.drawing, request, corner, Some(&screen));
     let author = Some(Author { page: Some(Author::page(request, corner)), ..Author::of(request, palette) });
-    label_layout::settle(
-        &mut drawn.drawing,
-        &Rules { background: &[], reserved, first: &[], beside: None, leader: None, author },
-    );
+    label_layout::settle(&mut drawn.drawing, &Rules { reserved, leader: None, author });
     if greys.is_none() {
         photograph::under(std::iter::once(&mut drawn.drawing).chain(&mut drawn.before), request);
     }

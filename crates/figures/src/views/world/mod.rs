@@ -20,6 +20,7 @@ use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
+use crate::drawing::Role;
 use crate::figure::WorldPart;
 use crate::pipeline::{Frame, Scenes};
 use crate::sanitize;
@@ -104,10 +105,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     let legend = revealed_scene::legend(request, revealed.rows, PixelRect::whole(request.size), target.scale, palette);
     let rules = Rules {
-        background: &[palette.grid],
         reserved: revealed_scene::room(legend.as_ref()),
-        first: &["C", "PF", "u", "v", "n", "VUP", "window", "far", "DOP"],
-        beside: request.shot.answered.as_ref().map(|_| palette.wrong),
         leader: Some((palette.soft, 0.8 * request.size.scale)),
         author: Some(Author::of(request, palette)),
     };
@@ -154,7 +152,10 @@ impl World<'_> {
     fn ground(&mut self) {
         let Some(ground) = self.content.ground().filter(|_| self.has(WorldPart::Grid)) else { return };
         let style = gizmos::stroke(self.palette.grid, 1.0, Dash::Solid, HiddenLines::Hidden);
-        self.builder.gear.lines.extend(ground.lines().iter().map(|ends| Line { points: ends.to_vec(), style }));
+        self.builder
+            .gear
+            .lines
+            .extend(ground.lines().iter().map(|ends| Line { role: Role::Ground, ..Line::new(ends.to_vec(), style) }));
     }
 
     /// The view volume, from the corners that the matrices in use give.
@@ -269,19 +270,19 @@ impl World<'_> {
             None => format!("{} (B)", labels.far),
             Some(_) => format!("{} (B = {})", labels.far, labels.mark.number(self.request.camera.far(), 4)),
         };
-        for (part, name, face, text) in [
-            (WorldPart::Window, "window", volume.window(), &window),
-            (WorldPart::Volume, "far", volume.far_face(), &far),
+        for (part, role, name, face, text) in [
+            (WorldPart::Window, Role::Window, "window", volume.window(), &window),
+            (WorldPart::Volume, Role::FarFace, "far", volume.far_face(), &far),
         ] {
             if self.has(part) {
-                self.name_face(name, &face, text);
+                self.name_face(role, name, &face, text);
             }
         }
     }
 
     /// Writes a face's name at the uppermost of its visible corners, unless the face is too small to be distinguished
     /// from a point.
-    fn name_face(&mut self, name: &str, face: &[DVec3; 4], text: &str) {
+    fn name_face(&mut self, role: Role, name: &str, face: &[DVec3; 4], text: &str) {
         let screen = self.builder.screen;
         let Some(middle) = screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };
         let in_frame = face.iter().filter_map(|p| Some((*p, screen.place_inside(*p)?)));
@@ -295,6 +296,7 @@ impl World<'_> {
         let faces: usize = self.request.scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
         let seen = |p: DVec3| faces > MOST_FACES || hits::can_be_seen(p, &self.request.scene, screen.camera());
         if let Some((corner, px)) = corners.into_iter().find(|(p, _)| seen(*p)) {
+            self.builder.role = role;
             self.builder.named(name, corner, text, px - middle, SMALL_TYPE, self.palette.ink);
         }
     }
@@ -312,16 +314,17 @@ impl World<'_> {
         let crowd = screen.heading(c, basis.u) + screen.heading(c, basis.v) + screen.heading(c, basis.n);
         let name = self.request.shot.camera_name.as_ref();
         let text = name.map_or_else(|| "C".to_owned(), |name| format!("C ({})", sanitize::escaped(name)));
+        self.builder.role = Role::Center;
         self.builder.named("C", c, &text, -crowd, TYPE, self.palette.ink);
         if self.has(WorldPart::Vrc) {
-            let [x, y, z] = self.palette.axes;
-            self.builder.vector(c, basis.u * gear.axis, x, 2.0, "u");
-            self.builder.vector(c, basis.v * gear.axis, y, 2.0, "v");
-            self.builder.vector(c, basis.n * gear.axis, z, 2.0, "n");
+            for ((k, axis, name), color) in basis.named().into_iter().zip(self.palette.axes) {
+                self.builder.axis(k, c, axis * gear.axis, (color, 2.0), name);
+            }
         }
         if self.has(WorldPart::ViewUp) {
             let tip = gear.view_up_tip(camera);
             self.builder.arrow(vec![c, tip], self.palette.view_up, 1.8, Dash::Dashed);
+            self.builder.role = Role::ViewUp;
             self.builder.text(tip, "VUP", screen.heading(c, tip - c), TYPE, self.palette.view_up);
         }
     }
@@ -348,6 +351,7 @@ impl World<'_> {
         let (c, pf) = (self.request.camera.position(), self.request.camera.focal_point());
         self.builder.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
         self.builder.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
+        self.builder.role = Role::FocalPoint;
         self.builder.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
     }
 
@@ -369,6 +373,7 @@ impl World<'_> {
         let length = (1.2 * self.gear.axis).min(0.8 * camera.distance());
         self.builder.arrow(vec![c, c + dop * length], self.palette.aim, 1.8, Dash::Solid);
         let beside = self.builder.screen.heading(c, dop).perp();
+        self.builder.role = Role::Direction;
         self.builder.text(
             c + dop * (0.7 * length),
             "DOP",
