@@ -33,6 +33,7 @@ use crate::views::image::{light_view, vanishing};
 use crate::views::interact::{handles, hits, transform_gizmo};
 use crate::views::reveal::revealed_scene::PipelineReveal;
 use crate::views::reveal::{probe, revealed_scene, triangle_overlay};
+use crate::views::screen::Screen;
 use crate::views::words::author_labels;
 use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
@@ -50,54 +51,13 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let Some(screen) = screen_of(request, &seen_from(request), &content) else {
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style, |_, _| {});
     };
-    let mut revealed = if request.shot.look.world.section {
-        PipelineReveal::plain(Cow::default())
-    } else {
-        revealed_scene::in_world(request, palette)
-    };
-    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
-    let builder = AnnotationBuilder::new(&screen);
-    let mut world = World {
-        request,
-        palette,
-        content,
-        gear: GizmoSizes::new(&screen, &request.camera, &request.shot.look.world),
-        on_window,
-        builder,
-    };
-    if request.shot.look.world.section {
-        world.section();
-    } else {
-        world.ground();
-        world.volume();
-        world.window();
-        world.camera();
-        world.aim();
-        world.planes();
-        world.axes();
-        world.drop_lines();
-        cameras::in_world(&mut world.builder, request, palette, &world.content.others);
-        world.unnamed();
-        world.speck();
-        dimensions::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
-        components::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
-        object_parts::in_world(&mut world.builder, request, palette);
-    }
-    world.hot_handle();
-    ghost::in_world(&mut world.builder, request, palette, world.gear);
-    transform_preview::in_world(&mut world.builder, request, palette);
-    revealed.mark(&mut world.builder, palette);
-    if !request.shot.look.world.section {
-        probe::in_world(&mut world.builder, request, palette, &world.content.volume);
-        if request.shot.look.reveal.vanishing {
-            vanishing::in_world(&mut world.builder, request, palette);
-        }
-        triangle_overlay::in_world(&mut world.builder, request, palette);
-        transform_gizmo::in_world(&mut world.builder, request, palette);
-    }
-    light_view::in_world(&mut world.builder, request, palette);
+    let mut world = World::new(request, palette, content, &screen, on_window);
+    let (scene, style) = gizmos::wired(std::mem::take(&mut world.revealed.scene), style);
+    let layers: &[Layer] = if request.shot.look.world.section { &LAYERS_OF_SECTION } else { &LAYERS };
+    layers.iter().for_each(|add| add(&mut world));
+    let World { mut revealed, builder, .. } = world;
     let lights = light_view::lights(request, &scene);
-    let scenes = Scenes::new(&scene, &world.builder.gear)
+    let scenes = Scenes::new(&scene, &builder.gear)
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
         .in_shadows_of(&request.scene)
         .lit_by(&lights);
@@ -115,6 +75,51 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     drawn
 }
 
+/// A part of the picture, added to it.
+type Layer = fn(&mut World<'_>);
+
+/// The layers of the world. Of two at the same depth, the later one is over the earlier, and of two texts of the same
+/// role and size, the earlier one chooses its place first.
+const LAYERS: [Layer; 23] = [
+    |w| w.ground(),
+    |w| w.volume(),
+    |w| w.window(),
+    |w| w.camera(),
+    |w| w.aim(),
+    |w| w.planes(),
+    |w| w.axes(),
+    |w| w.drop_lines(),
+    |w| cameras::in_world(&mut w.builder, w.request, w.palette, &w.content.others),
+    // The names of all layers before.
+    |w| w.unnamed(),
+    |w| w.speck(),
+    |w| dimensions::in_world(&mut w.builder, w.request, w.palette, &w.content.volume, w.gear),
+    |w| components::in_world(&mut w.builder, w.request, w.palette, &w.content.volume, w.gear),
+    |w| object_parts::in_world(&mut w.builder, w.request, w.palette),
+    |w| w.hot_handle(),
+    |w| w.ghosts(),
+    |w| transform_preview::in_world(&mut w.builder, w.request, w.palette),
+    |w| w.revealed.mark(&mut w.builder, w.palette),
+    |w| probe::in_world(&mut w.builder, w.request, w.palette, &w.content.volume),
+    |w| vanishing::in_world(&mut w.builder, w.request, w.palette),
+    |w| triangle_overlay::in_world(&mut w.builder, w.request, w.palette),
+    |w| transform_gizmo::in_world(&mut w.builder, w.request, w.palette),
+    |w| light_view::in_world(&mut w.builder, w.request, w.palette),
+];
+
+/// Those of the section along **u**, as lines alone, without the scene.
+const LAYERS_OF_SECTION: [Layer; 9] = [
+    |w| section::draw(&mut w.builder, w.request, w.palette, &w.content),
+    |w| w.camera(),
+    |w| w.aim(),
+    |w| w.unnamed(),
+    |w| w.hot_handle(),
+    |w| w.ghosts(),
+    |w| transform_preview::in_world(&mut w.builder, w.request, w.palette),
+    |w| w.revealed.mark(&mut w.builder, w.palette),
+    |w| light_view::in_world(&mut w.builder, w.request, w.palette),
+];
+
 /// Greatest number of faces to test for hiding a corner.
 const MOST_FACES: usize = 200_000;
 
@@ -126,9 +131,27 @@ struct World<'a> {
     content: Content,
     gear: GizmoSizes,
     builder: AnnotationBuilder<'a>,
+    revealed: PipelineReveal<'a>,
 }
 
-impl World<'_> {
+impl<'a> World<'a> {
+    fn new(
+        request: &'a Request,
+        palette: Palette,
+        content: Content,
+        screen: &'a Screen,
+        on_window: Option<&'a Arc<Texture>>,
+    ) -> Self {
+        let look = &request.shot.look.world;
+        let revealed = if look.section {
+            PipelineReveal::plain(Cow::default())
+        } else {
+            revealed_scene::in_world(request, palette)
+        };
+        let gear = GizmoSizes::new(screen, &request.camera, look);
+        Self { request, on_window, palette, content, gear, builder: AnnotationBuilder::new(screen), revealed }
+    }
+
     fn has(&self, part: WorldPart) -> bool {
         self.request.shot.look.world.parts.has(part)
     }
@@ -138,14 +161,6 @@ impl World<'_> {
         if !self.has(WorldPart::Names) {
             self.builder.gear.texts.clear();
         }
-    }
-
-    /// The section along **u**, as lines alone, without the scene.
-    fn section(&mut self) {
-        section::draw(&mut self.builder, self.request, self.palette, &self.content);
-        self.camera();
-        self.aim();
-        self.unnamed();
     }
 
     /// The grid on y = 0.
@@ -418,6 +433,11 @@ impl World<'_> {
             self.builder.line(vec![p, foot], self.palette.soft, 1.2, Dash::Dotted);
             self.builder.mark(foot, MarkShape::Ring, 3.0, self.palette.soft);
         }
+    }
+
+    /// The cameras before an operation and of an answer.
+    fn ghosts(&mut self) {
+        ghost::in_world(&mut self.builder, self.request, self.palette, self.gear);
     }
 
     /// A ring around the handle under the pointer.
