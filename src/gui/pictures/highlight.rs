@@ -74,9 +74,7 @@ fn mark_objects(scene: &mut Scene, spec: &SceneSpec, name: &str, color: Rgba) {
         boxes.extend(placement(spec, &grid.name).ok().flatten().map(|matrix| (flat, matrix)));
     }
     for (bounds, matrix) in boxes {
-        scene
-            .lines
-            .extend(box_edges(&bounds, &matrix).map(|ends| Line::new(ends.to_vec(), style(color, 1.6))));
+        scene.lines.extend(box_edges(&bounds, &matrix).map(|ends| Line::new(ends.to_vec(), style(color, 1.6))));
     }
 }
 

@@ -11,7 +11,14 @@ mod read_error;
 mod shadows;
 pub mod spec;
 pub mod texture;
-mod tree;
+
+/// The tree of a figure's scene: presets, its edits, and its names and transforms resolved.
+mod tree {
+    pub mod edit;
+    pub(crate) mod presets;
+    pub(crate) mod resolve;
+    pub mod transform;
+}
 
 use std::ops::Range;
 use std::sync::Arc;

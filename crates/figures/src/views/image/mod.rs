@@ -3,17 +3,16 @@
 pub mod depth;
 pub(super) mod light_view;
 pub(super) mod offscreen_arrows;
-pub(super) mod partial_paint;
-mod photograph;
 mod single_precision;
 pub(super) mod vanishing;
 
 use std::cell::Cell;
+use std::sync::Arc;
 
 use glam::DVec2;
 
-use crate::appearance::{HiddenLines, LineStyle, Rgba, Style, Visibility};
-use crate::drawing::{Drawing, StrokeSet, Surface};
+use crate::appearance::{Filter, HiddenLines, LineStyle, Rgba, Sampler, Style, Visibility};
+use crate::drawing::{Base, Drawing, StrokeSet, Surface};
 use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
@@ -188,7 +187,7 @@ impl<'a> Image<'a> {
 
     fn paint_first_triangles(&mut self) {
         if let Some(share) = self.request.shot.show.painted {
-            let [count, all] = partial_paint::first(&mut self.drawn.drawing, share);
+            let [count, all] = keep_first_triangles(&mut self.drawn.drawing, share);
             let text = format!("{count} / {all} {}", self.request.labels.triangles);
             self.rows.push(LegendRow::Title(LegendText::new("triangles", text), self.palette.ink));
         }
@@ -231,7 +230,7 @@ impl<'a> Image<'a> {
     fn put_photograph_under(&mut self) {
         if self.greys.is_none() {
             let drawings = std::iter::once(&mut self.drawn.drawing).chain(&mut self.drawn.before);
-            photograph::under(drawings, self.request);
+            put_photograph_under(drawings, self.request);
         }
     }
 
@@ -268,6 +267,58 @@ fn style_of(request: &Request, has_greys: bool) -> Style {
         // The wrong part is drawn by itself, and only a depth buffer combines both.
         (false, true) => Style { visibility: Visibility::DepthBuffer, ..*style },
         (false, false) => *style,
+    }
+}
+
+/// Keeps the first share (0 … 1) of the triangles, and returns their number, and that of all. Strokes and marks are
+/// left out, because the faces that hide them may be missing.
+fn keep_first_triangles(drawing: &mut Drawing, share: f64) -> [usize; 2] {
+    let all: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
+    #[expect(clippy::cast_possible_truncation, reason = "a share of a count")]
+    let count = (all as f64 * share.clamp(0.0, 1.0)).round() as usize;
+    // Without an order, translucent faces are painted last, whatever their place in the list.
+    let mut order: Vec<usize> = (0..drawing.surfaces.len()).collect();
+    order.sort_by_key(|i| !drawing.painted_in_order && drawing.surfaces[*i].translucent);
+    let mut left = count;
+    for i in order {
+        let surface = &mut drawing.surfaces[i];
+        let kept = left.min(surface.triangles.len());
+        left -= kept;
+        surface.truncate(kept);
+    }
+    drawing.surfaces.retain(|surface| !surface.triangles.is_empty());
+    drawing.strokes.clear();
+    drawing.marks.clear();
+    [count, all]
+}
+
+/// Puts the photograph of the figure behind everything else in drawings of its image, with its opacity. Images of other
+/// cameras don't have it, because the figure's own camera took it.
+fn put_photograph_under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, request: &Request) {
+    let share = request.shot.look.photograph_opacity;
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
+    let opacity = (255.0 * share.clamp(0.0, 1.0)).round() as u8;
+    let Some(image) = request.scene.photograph.as_ref().filter(|_| opacity > 0 && request.projector.is_none()) else {
+        return;
+    };
+    for drawing in drawings {
+        let [w, h] = [drawing.width, drawing.height].map(|side| side as f32);
+        // On the back plane, the farthest place of all.
+        let corners = vec![[0.0, 0.0, 0.0], [w, 0.0, 0.0], [w, h, 0.0], [0.0, h, 0.0]];
+        let base = Base::Texture {
+            image: Arc::clone(image),
+            sampler: Sampler { filter: Filter::Trilinear, ..Sampler::PICTURE },
+            uv: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+            tint: Rgba::rgba(255, 255, 255, opacity),
+        };
+        let translucent = opacity < 255 || !image.is_opaque();
+        if translucent && !drawing.painted_in_order {
+            // Translucent surfaces come after opaque ones, and only depths keep the photograph behind.
+            drawing.surfaces.iter_mut().filter(|s| !s.translucent).for_each(|s| s.depth_test = true);
+        }
+        let triangles = vec![[0, 1, 2], [0, 2, 3]];
+        let plain = Surface::solid(corners, triangles, Rgba::rgb(255, 255, 255));
+        drawing.surfaces.insert(0, Surface { base, translucent, depth_test: translucent, ..plain });
     }
 }
 

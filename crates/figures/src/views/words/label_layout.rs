@@ -224,7 +224,7 @@ impl Taken {
         let (at, em) = (point(label.position), f64::from(label.size));
         let place = put(&mut label, by, page);
         let apart = (((place.center - at).abs() - place.half).max(DVec2::ZERO)).length();
-        let candidate = Candidate { place, at, em, dislike: 0.0, leads: apart > NEAR * em };
+        let candidate = LabelSpot { place, at, em, dislike: 0.0, leads: apart > NEAR * em };
         self.leaders.extend(candidate.leader());
         self.texts.push(place);
         label
@@ -255,12 +255,12 @@ impl Taken {
     }
 
     /// The cost of a place. Infinite if a text must not be there, or if it costs `most` or more.
-    fn cost(&self, candidate: &Candidate, most: f64) -> f64 {
+    fn cost(&self, candidate: &LabelSpot, most: f64) -> f64 {
         /// Standing entirely in front of a body. Less than standing far off with a line.
         const BEFORE_A_BODY: f64 = 9.0;
         /// Smallest distance between texts, in ems.
         const APART: f64 = 0.18;
-        let Candidate { place: b, em, .. } = *candidate;
+        let LabelSpot { place: b, em, .. } = *candidate;
         let (low, high) = (b.center - b.half, b.center + b.half);
         if most <= 0.0 || low.min_element() < 0.0 || (high - self.picture).max_element() > 0.0 {
             return f64::INFINITY;
@@ -306,7 +306,7 @@ fn leading(ends: &[[DVec2; 2]], color: Rgba, width: f32) -> StrokeSet {
 
 /// A place for a label.
 #[derive(Clone, Copy, Debug)]
-struct Candidate {
+struct LabelSpot {
     place: Box2,
     /// The label's point.
     at: DVec2,
@@ -317,7 +317,7 @@ struct Candidate {
     leads: bool,
 }
 
-impl Candidate {
+impl LabelSpot {
     /// The line from the border of the text's box towards its point, if there must be one.
     fn leader(&self) -> Option<[DVec2; 2]> {
         let offset = self.place.center - self.at;
@@ -332,7 +332,7 @@ const FARTHEST: f64 = 6.0;
 
 /// Places around a label's point and the dislike for each. Farther ones are included if a line may lead to the point,
 /// which is harder to see on a body.
-fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<Item = Candidate> + use<> {
+fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<Item = LabelSpot> + use<> {
     let half = half_size(label);
     let offset = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
     let (direction, gap) = (offset.normalize_or(DVec2::X), offset.length());
@@ -348,7 +348,7 @@ fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<It
             let dislike = angle.abs() / 90.0 + if more > 1.0 { 2.5 + more } else { 1.5 * more };
             let is_aside = angle.abs() > 80.0;
             let leads = leads || leaders && is_aside && (more > 0.0 || on_a_body);
-            Candidate { place: Box2 { center: at + d * reach, half }, at, em, dislike, leads }
+            LabelSpot { place: Box2 { center: at + d * reach, half }, at, em, dislike, leads }
         })
     })
 }
