@@ -111,7 +111,7 @@ fn parts(antialias: Samples) -> Vec<(&'static str, Drawing)> {
             }
         }
         let style = LineStyle { color: Rgba::rgb(20, 20, 20), width: 1.5, dash: Dash::Solid, hidden, arrow: false };
-        vec![StrokeSet { points, polylines, style }]
+        vec![StrokeSet { polylines, ..StrokeSet::line(points, style) }]
     };
     let label = |k: u32| Label {
         fade_if_hidden: true,

@@ -44,7 +44,7 @@ pub fn run(bytes: &[u8]) {
         antialias: Samples::ALL[usize::from(choices >> 6) % 3],
         painted_in_order: choices & 32 != 0,
         surfaces: vec![surface],
-        strokes: vec![StrokeSet { polylines: std::iter::once(0..count).collect(), points, style }],
+        strokes: vec![StrokeSet::line(points, style)],
         ..Drawing::new(SIZE[0], SIZE[1], Rgba::rgb(255, 255, 255))
     };
     let pixels = Rasterizer::default().paint(&drawing).expect("a small picture");

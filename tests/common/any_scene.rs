@@ -108,7 +108,7 @@ pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
     let light = (light, any::<bool>())
         .prop_map(|(light, cast)| light.with_shadows(Shadows { cast, map: Shadows::MAPS[0], ..Shadows::NONE }));
     let line = (proptest::collection::vec(any_vec(6.0), 2..5), any_line_style())
-        .prop_map(|(points, style)| Line { points, style });
+        .prop_map(|(points, style)| Line::new(points, style));
     let mark = any_vec(4.0).prop_map(|position| PointMark {
         position,
         shape: MarkShape::Disc,

@@ -511,22 +511,30 @@ fn a_code_without_an_address_asks_for_one_and_a_link_does_not() {
 /// A click beside a form does nothing, Esc closes it, and it opens again as it was.
 #[test]
 fn forms_keep_typed_and_chosen_values() {
-    let shown = |window: &Window| window.state().file_flow.dialog.clone();
     let mut window = Window::new(Lang::En);
+    // The address of a link is no part of its dialog: all links begin with it.
+    let shown = |window: &Window| (window.state().file_flow.dialog.clone(), window.state().page_address.clone());
     let (t, words) = (en::WINDOW, handouts::texts(Lang::En));
     let title = format!("{}, {}", t.title_name, Lang::En.name());
-    type Change<'a> = Box<dyn Fn(&mut Window) + 'a>;
-    let type_title: Change<'_> = Box::new(|window| {
-        window.harness.get_by_role_and_label(Role::TextInput, &title).focus();
-        window.run();
-        window.harness.event(Event::Text("A title".to_owned()));
-        window.run();
-    });
-    let forms: [(Key, Modifiers, Change<'_>); 4] = [
-        (Key::I, Modifiers::COMMAND, type_title),
+    let typed = |field: &str, text: &str| -> Box<dyn Fn(&mut Window)> {
+        let (field, text) = (field.to_owned(), text.to_owned());
+        Box::new(move |window| {
+            window.harness.get_by_role_and_label(Role::TextInput, &field).focus();
+            window.run();
+            window.harness.event(Event::Text(text.clone()));
+            window.run();
+        })
+    };
+    let with_shift = Modifiers::COMMAND | Modifiers::SHIFT;
+    let address = camera_lab_words::window::sharing::texts(Lang::En).address;
+    let forms: [(Key, Modifiers, Box<dyn Fn(&mut Window)>); 7] = [
+        (Key::I, Modifiers::COMMAND, typed(&title, "A title")),
         (Key::E, Modifiers::COMMAND, Box::new(|window| window.click_in_dialog(t.export_crop))),
         (Key::P, Modifiers::COMMAND, Box::new(|window| window.click_in_dialog(words.answers))),
         (Key::K, Modifiers::ALT, Box::new(|window| window.enter(words.numbers, "7"))),
+        (Key::O, Modifiers::COMMAND, typed(t.path_name, "folder/mine.toml")),
+        (Key::S, with_shift, typed(t.path_name, "yours")),
+        (Key::K, Modifiers::COMMAND, typed(address, "https://example.org/lab/")),
     ];
     for (key, modifiers, change) in forms {
         let open = |window: &mut Window| {
@@ -537,11 +545,11 @@ fn forms_keep_typed_and_chosen_values() {
         let first = shown(&window);
         change(&mut window);
         let changed = shown(&window);
-        assert!(changed.is_some() && changed != first, "{key:?}: {first:?}");
+        assert!(changed.0.is_some() && changed != first, "{key:?}: {first:?}");
         window.quick_click(Pos2::new(3.0, 400.0));
         assert_eq!(shown(&window), changed, "{key:?}: a click beside it");
         window.key(Key::Escape);
-        assert_eq!(shown(&window), None, "{key:?}");
+        assert_eq!(shown(&window).0, None, "{key:?}");
         open(&mut window);
         assert_eq!(shown(&window), changed, "{key:?}: opened again");
         window.key(Key::Escape);

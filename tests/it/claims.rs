@@ -210,26 +210,231 @@ fn commands(help: &str) -> Vec<&str> {
     lines.filter(|line| !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next()).collect()
 }
 
+/// The text of `--help` after these words.
+fn help(bench: &Bench, words: &str) -> String {
+    let output = bench.command(&words.split_whitespace().chain(["--help"]).collect::<Vec<_>>()).output();
+    String::from_utf8_lossy(&output.expect("the program runs").stdout).into_owned()
+}
+
+/// Every command with its help, and those below it: `lesson`, `lesson check`. The first one is the program.
+fn all_commands(bench: &Bench) -> Vec<(String, String)> {
+    let mut all = vec![(String::new(), help(bench, ""))];
+    let mut at = 0;
+    while let Some((name, text)) = all.get(at) {
+        let below = commands(text).into_iter().filter(|below| *below != "help");
+        let below: Vec<String> = below.map(|below| format!("{name} {below}").trim().to_owned()).collect();
+        all.extend(below.into_iter().map(|name| (name.clone(), help(bench, &name))));
+        at += 1;
+    }
+    all
+}
+
+/// The calls of the program in the code of a page, with their lines.
+fn calls(page: &Page) -> Vec<(usize, String)> {
+    let (mut calls, mut in_code, mut open) = (Vec::new(), false, false);
+    for (at, line) in page.text.lines().enumerate() {
+        if line.trim_start().starts_with("```") {
+            in_code ^= true;
+        } else if in_code {
+            let code = line.split(" # ").next().unwrap_or_default().trim();
+            match calls.last_mut() {
+                Some((_, call)) if open => *call += code,
+                _ if code.starts_with("camera-lab") => calls.push((at, code.to_owned())),
+                _ => continue,
+            }
+            open = code.ends_with('\\');
+        } else {
+            let inline = line.split('`').skip(1).step_by(2).filter(|code| code.starts_with("camera-lab "));
+            calls.extend(inline.map(|code| (at, code.to_owned())));
+        }
+    }
+    calls
+}
+
+/// The words of a call as a shell splits them. `None` if some of them stand for others: `FILE`, `$(…)`.
+fn shell_words(call: &str) -> Option<Vec<String>> {
+    let (mut words, mut quote) = (vec![String::new()], None);
+    for c in call.replace('\\', " ").chars() {
+        match (c, quote) {
+            ('"' | '\'', None) => quote = Some(c),
+            _ if quote == Some(c) => quote = None,
+            (' ', None) => words.push(String::new()),
+            _ => words.last_mut()?.push(c),
+        }
+    }
+    let stands_for = |word: &String| {
+        word.contains(['$', '…', '<'])
+            || word.split(['=', '.']).any(|part| part.chars().all(|c| c.is_ascii_uppercase()) && !part.is_empty())
+    };
+    (!words.iter().any(stands_for)).then(|| words.into_iter().filter(|word| !word.is_empty()).skip(1).collect())
+}
+
+/// Where no file is, a call of a page fails because of its files at most.
+#[test]
+fn calls_in_pages_are_understood() {
+    let bench = Bench::new("claims-calls");
+    let known: Vec<String> = all_commands(&bench).into_iter().map(|(name, _)| name).collect();
+    let (mut faults, mut compared) = (Vec::new(), 0);
+    for page in PAGES.iter() {
+        for (at, call) in calls(page) {
+            let Some(mut words) =
+                shell_words(&call).filter(|words| words.first().is_some_and(|word| known.contains(word)))
+            else {
+                // The window, or a pattern.
+                continue;
+            };
+            if words[0] == "accuracy" || words.iter().any(|word| word == "play") {
+                // It measures for minutes, or opens the window.
+                words.push("--help".to_owned());
+            }
+            let run = bench.run(&words.iter().map(String::as_str).collect::<Vec<_>>());
+            compared += 1;
+            // A sentence may name a command without its arguments.
+            if run.err.contains("see --help") && !known.contains(&words.join(" ")) {
+                faults.push(format!("{}: {call}: {}", page.place(at), run.err.trim()));
+            }
+        }
+    }
+    assert_none(&faults);
+    assert!(compared > 40, "only {compared} calls were tried");
+}
+
+#[test]
+fn every_command_is_in_its_guide() {
+    let bench = Bench::new("claims-guide");
+    let mut faults = Vec::new();
+    for page in PAGES.iter().filter(|page| page.path.contains("command-line")) {
+        for (name, _) in all_commands(&bench).into_iter().skip(1) {
+            if !page.text.contains(&format!("camera-lab {name}")) && !page.text.contains(&format!("`{name}`")) {
+                faults.push(format!("{}: `{name}` is missing", page.path));
+            }
+        }
+    }
+    assert_none(&faults);
+}
+
+#[cfg(feature = "gui")]
+mod of_window {
+    use camera_lab::gui::app::command::MENUS;
+    use camera_lab::gui::kit::command::Command;
+    use camera_lab::gui::{Start, State};
+    use eframe::egui::ModifierNames;
+
+    use super::*;
+
+    /// Keys that no menu has: they belong to the field, the list or the view that has the focus, or to a terminal.
+    const OTHER_KEYS: [&str; 3] = ["Ctrl+Tab", "Ctrl+Enter", "Ctrl+C"];
+
+    fn state() -> State {
+        let (figure, file) = (camera_lab_desk::document::fresh(), None);
+        let start = Start { figure, file, lang: Lang::En, allow_files: false, lesson: None, later: None };
+        State::new(start).expect("a possible camera")
+    }
+
+    #[test]
+    fn rows_of_menus_are_those_of_the_window() {
+        let (state, mut faults, mut compared) = (state(), Vec::new(), 0);
+        for page in PAGES.iter() {
+            let t = window::texts(page.lang);
+            for (at, line) in page.prose() {
+                for path in line.split('*').filter(|part| part.contains('▸')) {
+                    let (menu, row) = path.split_once('▸').expect("▸ is there");
+                    let mut menus =
+                        MENUS.iter().filter(|known| known.in_bar && (known.title)(t) == menu.trim()).peekable();
+                    // Or a panel.
+                    if menus.peek().is_none() {
+                        continue;
+                    }
+                    compared += 1;
+                    let plain = |text: &str| text.trim().trim_end_matches('…').to_owned();
+                    if !menus
+                        .flat_map(|menu| menu.groups(&state.model).flatten())
+                        .any(|command| plain(command.label(t)) == plain(row))
+                    {
+                        faults.push(format!("{}: *{path}* is no row of a menu", page.place(at)));
+                    }
+                }
+            }
+        }
+        assert_none(&faults);
+        assert!(compared > 20, "only {compared} rows were compared");
+    }
+
+    /// The command of each key in a text, or the key that has none.
+    fn keys(text: &str) -> impl Iterator<Item = (&str, Option<Command>)> {
+        let model = state().model;
+        let names = |command: Command| {
+            command.keys(&model).map(|keys| keys.format(&ModifierNames::NAMES, false)).collect::<Vec<_>>()
+        };
+        let all: Vec<(Command, Vec<String>)> = Command::all().map(|command| (command, names(command))).collect();
+        let words = text.split(|c: char| !c.is_alphanumeric() && !matches!(c, '+' | '←' | '→' | '−'));
+        let is_key = |word: &&str| {
+            let last = word.rsplit('+').next().unwrap_or_default();
+            let is_function = last.strip_prefix('F').is_some_and(|number| number.parse::<u8>().is_ok());
+            let is_one = last.chars().count() == 1 || last.starts_with(char::is_uppercase);
+            is_function || (word.starts_with("Ctrl+") || word.starts_with("Alt+")) && is_one
+        };
+        words.filter(is_key).map(move |word| {
+            let written = word.replace('←', "Left").replace('→', "Right");
+            let found = all.iter().find(|(_, names)| names.contains(&written));
+            (word, found.map(|(command, _)| *command))
+        })
+    }
+
+    #[test]
+    fn keys_in_pages_belong_to_commands() {
+        let (mut faults, mut compared) = (Vec::new(), 0);
+        for page in PAGES.iter() {
+            for (at, line) in page.prose() {
+                for (key, command) in keys(line) {
+                    compared += 1;
+                    if command.is_none() && !OTHER_KEYS.contains(&key) {
+                        faults.push(format!("{}: {key} calls no command", page.place(at)));
+                    }
+                }
+            }
+        }
+        assert_none(&faults);
+        assert!(compared > 100, "only {compared} keys were compared");
+    }
+
+    /// The line of a key has a word of its command, or of the command's hint.
+    #[test]
+    fn keys_in_guides_do_what_the_line_says() {
+        let stems = |text: &str| -> BTreeSet<String> {
+            let text = text.to_lowercase();
+            let words = text.split(|c: char| !c.is_alphabetic()).filter(|word| word.chars().count() > 3);
+            words.map(|word| word.chars().take(4).collect()).collect()
+        };
+        let (mut faults, mut compared) = (Vec::new(), 0);
+        // Other pages say which keys a browser keeps for itself.
+        let guides = ["README", "student", "lecturer", "author", "command-line"];
+        for page in PAGES.iter().filter(|page| guides.iter().any(|guide| page.path.contains(guide))) {
+            let t = window::texts(page.lang);
+            for (at, line) in page.prose() {
+                for (key, command) in keys(line) {
+                    let Some(command) = command else { continue };
+                    compared += 1;
+                    let said = stems(line);
+                    if stems(command.label(t)).union(&stems(command.hint(t))).all(|stem| !said.contains(stem)) {
+                        faults.push(format!("{}: {key} is *{}*: {line}", page.place(at), command.label(t)));
+                    }
+                }
+            }
+        }
+        assert_none(&faults);
+        assert!(compared > 100, "only {compared} keys were compared");
+    }
+}
+
 #[test]
 fn commands_and_options_in_pages_exist() {
     let bench = Bench::new("claims");
-    let help = |words: &[&str]| {
-        let output = bench.command(&[words, &["--help"]].concat()).output().expect("the program runs");
-        String::from_utf8_lossy(&output.stdout).into_owned()
-    };
-    let whole = help(&[]);
-    let known = commands(&whole);
-    assert!(known.len() > 10, "{whole}");
-    let mut options = whole.clone();
-    for command in &known {
-        let text = help(&[command]);
-        for below in commands(&text) {
-            options += &help(&[command, below]);
-        }
-        options += &text;
-    }
-    let options: BTreeSet<&str> =
-        options.split(|c: char| !c.is_alphanumeric() && c != '-').filter(|word| word.starts_with("--")).collect();
+    let all = all_commands(&bench);
+    let known: Vec<&str> = all.iter().filter_map(|(name, _)| name.split(' ').next()).collect();
+    assert!(known.len() > 10, "{known:?}");
+    let options = all.iter().flat_map(|(_, help)| help.split(|c: char| !c.is_alphanumeric() && c != '-'));
+    let options: BTreeSet<&str> = options.filter(|word| word.starts_with("--")).collect();
     let mut faults = Vec::new();
     let ours =
         ["student", "lecturer", "author", "command-line", "cameras", "without-rust", "README", "numerics", "limits"];
@@ -261,8 +466,7 @@ fn commands_and_options_in_pages_exist() {
 #[test]
 fn formats_that_carry_their_figure_are_named_wherever_it_matters() {
     let bench = Bench::new("claims-formats");
-    let help = bench.command(&["render", "--help"]).output().expect("the program runs");
-    let help = String::from_utf8_lossy(&help.stdout).into_owned();
+    let help = help(&bench, "render");
     let figure = help.lines().find(|line| line.contains("camera-lab wrote")).expect("the help of FIGURE");
     let hints = [Lang::En, Lang::PtBr].map(|lang| window::texts(lang).export_hint);
     for text in hints.into_iter().chain([figure]) {
@@ -315,8 +519,7 @@ fn every_fuzz_target_and_command_is_listed() {
         faults.push(format!("docs/testing.md: `{target}` is missing"));
     }
     let bench = Bench::new("claims-commands");
-    let help = bench.command(&["--help"]).output().expect("the program runs");
-    let help = String::from_utf8_lossy(&help.stdout).into_owned();
+    let help = help(&bench, "");
     let changes = read("CHANGELOG.md");
     for command in commands(&help).into_iter().filter(|name| *name != "help" && missing(&changes, name)) {
         faults.push(format!("CHANGELOG.md: `{command}` is missing"));

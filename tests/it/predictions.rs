@@ -4,14 +4,15 @@
 
 use camera_lab::camera::Camera;
 use camera_lab::exercises::{self, Guess, Progress};
-use camera_lab::figure::FigureError;
+use camera_lab::figure::{Figure, FigureError};
 use camera_lab::lessons::{See, Task, parse, shipped};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::no_files;
+use camera_lab::scene::{ObjectPoint, no_files};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use camera_lab_words::Lang;
 use camera_lab_words::learn::{exercise_messages, exercises as said};
 use camera_lab_words::pictures::labels;
+use glam::DVec3;
 use tiny_skia::PremultipliedColorU8;
 use toml_edit::{DocumentMut, Value};
 
@@ -208,6 +209,62 @@ fn coordinates_of_a_mark_stand_in_its_question() {
     }
 }
 
+/// The points of a figure on which an answer depends are typed too. The student sees their coordinates, or the program
+/// knows the place: a point of a thing, or the middle of two points.
+#[test]
+fn points_of_an_answer_stand_in_the_step_or_have_a_known_place() {
+    let (mut faults, mut compared) = (Vec::new(), 0);
+    for shipped in shipped() {
+        let document: DocumentMut = shipped.text.parse().unwrap();
+        let tables = document["step"].as_array_of_tables().unwrap();
+        for (k, (table, step)) in tables.iter().zip(&shipped.lesson.steps).enumerate() {
+            let answer = table.get("ask").map(ToString::to_string).unwrap_or_default();
+            let texts = ["en", "pt-BR"].map(|lang| step.text.get(lang).to_owned() + &answer);
+            for (n, point) in step.figure.points.iter().enumerate() {
+                let depends = answer.contains(&format!("quantity = \"points.{n}."))
+                    || answer.contains(&format!("place = \"{}\"", point.name));
+                let written = |text: &str, comma| {
+                    let numbers = numbers_in(text, comma);
+                    ["world", "view"].iter().any(|space| text.contains(&format!("{{points.{n}.{space}}}")))
+                        || point.position.to_array().iter().all(|number| numbers.contains(number))
+                };
+                let stands = written(&texts[0], false) && written(&texts[1], true);
+                compared += usize::from(depends);
+                if depends && !stands && !is_known(&step.figure, point.position) {
+                    faults.push(format!("{} step {}: {} at {}", shipped.lesson.id, k + 1, point.name, point.position));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+    assert!(compared > 6, "only {compared} points were compared");
+}
+
+/// True if the point is the middle, a corner, the tip or a vertex of an object, the middle of a side of its box, or the
+/// middle of two points of the figure.
+fn is_known(figure: &Figure, p: DVec3) -> bool {
+    let middles = |points: &[DVec3]| {
+        let pairs = (0..points.len()).flat_map(|i| (0..i).map(move |k| [i, k]));
+        pairs.map(|pair| (points[pair[0]] + points[pair[1]]) / 2.0).collect::<Vec<_>>()
+    };
+    let is_p = |point: &DVec3| point.abs_diff_eq(p, 1e-9);
+    let points: Vec<DVec3> = figure.points.iter().map(|point| point.position).collect();
+    middles(&points).iter().any(is_p)
+        || figure.scene.objects.iter().any(|object| {
+            let of = |name: String| {
+                name.parse().ok().and_then(|point: ObjectPoint| point.in_world(&figure.scene, &object.name))
+            };
+            let corners: Vec<DVec3> = (1..=8).filter_map(|k| of(format!("corner:{k}"))).collect();
+            let vertices = (1..).map_while(|k| of(format!("vertex:{k}")));
+            middles(&corners)
+                .into_iter()
+                .chain(corners)
+                .chain(of("tip".to_owned()))
+                .chain(vertices)
+                .any(|point| is_p(&point))
+        })
+}
+
 /// The value of a key in a table.
 fn of_key<'a>(value: &'a Value, key: &str) -> Option<&'a Value> {
     value.as_inline_table()?.get(key)
@@ -239,6 +296,7 @@ fn a_part_of_a_thing_is_marked_by_its_name() {
     for (id, texts, place) in marks() {
         let words: Vec<&str> = texts.iter().flat_map(|text| text.split(|c: char| !c.is_alphabetic())).collect();
         let names_part = words.iter().any(|word| parts.contains(word));
+        // A point of the figure is on a thing, as `points_of_an_answer_stand_in_the_step_or_have_a_known_place` shows.
         let is_computed = place.is_str() || ["object", "pixel"].iter().any(|key| of_key(&place, key).is_some());
         assert!(!names_part || is_computed, "{id}: {place} for {texts:?}");
     }
@@ -265,10 +323,10 @@ fn the_tip_of_the_cone_and_the_corner_of_the_turned_sheet_are_where_they_are_see
     assert!(near(tip, [width / 2.0 - 10.0, height / 2.0 - 180.0]), "{tip:?}");
     let (corner, figure) = marked("hidden");
     let (sin, cos) = 25_f64.to_radians().sin_cos();
-    let world = glam::DVec3::new(-6.0 * cos + 4.0 * sin, 0.018, 6.0 * sin + 4.0 * cos);
+    let world = DVec3::new(-6.0 * cos + 4.0 * sin, 0.018, 6.0 * sin + 4.0 * cos);
     let camera = Camera::new(&figure.camera).unwrap();
     assert!(near(corner, exercises::place_of(&camera, figure.image, world).unwrap()), "{corner:?}");
-    let middle = exercises::place_of(&camera, figure.image, glam::DVec3::ZERO).unwrap();
+    let middle = exercises::place_of(&camera, figure.image, DVec3::ZERO).unwrap();
     assert!(corner[0] < middle[0] && corner[1] > middle[1], "lower left: {corner:?}");
 }
 

@@ -61,11 +61,8 @@ fn views(scene: &Scene) -> impl Iterator<Item = Drawing> {
 fn with_runs<'a>(drawing: &Drawing, runs: impl IntoIterator<Item = &'a Run>) -> Drawing {
     let strokes = runs.into_iter().filter_map(|run| {
         let style = run.style(drawing)?;
-        Some(StrokeSet {
-            points: run.points.clone(),
-            polylines: std::iter::once(0..u32::try_from(run.points.len()).expect("few points")).collect(),
-            style: LineStyle { hidden: HiddenLines::Shown, arrow: style.arrow && run.has_end, ..style },
-        })
+        let style = LineStyle { hidden: HiddenLines::Shown, arrow: style.arrow && run.has_end, ..style };
+        Some(StrokeSet::line(run.points.clone(), style))
     });
     Drawing { strokes: strokes.collect(), ..drawing.clone() }
 }

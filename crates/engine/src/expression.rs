@@ -114,7 +114,7 @@ pub fn evaluate_with(text: &str, dimension: Dimension, names: &[(&str, f64)]) ->
     let mut parser = Parser { text, rest: text, dimension, depth: 0, names };
     let mut value = parser.sum()?;
     if parser.eat_word("rad") {
-        value = if value.is_angle { value } else { Quantity::degrees(value.value.to_degrees()) };
+        value = if value.is_angle { value } else { NumberOrAngle::degrees(value.value.to_degrees()) };
     }
     if let Some(c) = parser.peek() {
         return Err(parser.unexpected(c));
@@ -164,12 +164,12 @@ pub fn marked(text: &str, span: &Range<usize>) -> String {
 
 /// A number, or an angle in degrees. An operation that has no meaning for them is `None`.
 #[derive(Clone, Copy, Debug)]
-struct Quantity {
+struct NumberOrAngle {
     value: f64,
     is_angle: bool,
 }
 
-impl Quantity {
+impl NumberOrAngle {
     fn plain(value: f64) -> Self {
         Self { value, is_angle: false }
     }
@@ -274,7 +274,7 @@ impl<'a> Parser<'a> {
         found
     }
 
-    fn sum(&mut self) -> Result<Quantity, ExpressionError> {
+    fn sum(&mut self) -> Result<NumberOrAngle, ExpressionError> {
         let start = self.at();
         let mut value = self.product()?;
         while let Some(c) = self.eat(&['+', '-', '−', '–']) {
@@ -284,7 +284,7 @@ impl<'a> Parser<'a> {
         Ok(value)
     }
 
-    fn product(&mut self) -> Result<Quantity, ExpressionError> {
+    fn product(&mut self) -> Result<NumberOrAngle, ExpressionError> {
         let start = self.at();
         let mut value = self.sign()?;
         loop {
@@ -307,7 +307,7 @@ impl<'a> Parser<'a> {
             && !self.word().eq_ignore_ascii_case("rad")
     }
 
-    fn sign(&mut self) -> Result<Quantity, ExpressionError> {
+    fn sign(&mut self) -> Result<NumberOrAngle, ExpressionError> {
         let mut sign = 1.0;
         while let Some(c) = self.eat(&['-', '−', '–', '+']) {
             if c != '+' {
@@ -315,31 +315,31 @@ impl<'a> Parser<'a> {
             }
         }
         let power = self.power()?;
-        Ok(Quantity { value: sign * power.value, ..power })
+        Ok(NumberOrAngle { value: sign * power.value, ..power })
     }
 
-    fn power(&mut self) -> Result<Quantity, ExpressionError> {
+    fn power(&mut self) -> Result<NumberOrAngle, ExpressionError> {
         self.deepen()?;
         let start = self.at();
         let mut value = self.unit()?;
         if self.eat(&['^']).is_some() {
             let exponent = if self.peek() == Some('{') { self.group(self.dimension)? } else { self.sign()? }.number();
             let power = value.number().zip(exponent).map(|(base, exponent)| base.powf(exponent));
-            value = Quantity::plain(self.unmixed(start, power)?);
+            value = NumberOrAngle::plain(self.unmixed(start, power)?);
         }
         self.depth -= 1;
         Ok(value)
     }
 
-    fn unit(&mut self) -> Result<Quantity, ExpressionError> {
+    fn unit(&mut self) -> Result<NumberOrAngle, ExpressionError> {
         let start = self.at();
         let mut value = self.atom()?;
         loop {
             let is_degrees = DEGREES.contains(&self.word().to_lowercase().as_str()) && self.is_unit();
             value = if is_degrees || self.eat(&['°', 'º']).is_some() || self.eat_any(&["^\\circ", "^{\\circ}"]) {
-                Quantity::degrees(self.unmixed(start, value.number())?)
+                NumberOrAngle::degrees(self.unmixed(start, value.number())?)
             } else if self.eat(&['%']).is_some() {
-                Quantity::plain(self.unmixed(start, value.number())? / 100.0)
+                NumberOrAngle::plain(self.unmixed(start, value.number())? / 100.0)
             } else {
                 return Ok(value);
             };
@@ -356,7 +356,7 @@ impl<'a> Parser<'a> {
         true
     }
 
-    fn atom(&mut self) -> Result<Quantity, ExpressionError> {
+    fn atom(&mut self) -> Result<NumberOrAngle, ExpressionError> {
         match self.peek() {
             None => Err(self.missing(ExpressionProblem::Unfinished)),
             Some('(') => self.parenthesis(self.dimension),
@@ -366,7 +366,7 @@ impl<'a> Parser<'a> {
                 let start = self.at();
                 let value = self.unit()?.number();
                 self.depth -= 1;
-                Ok(Quantity::plain(self.unmixed(start, value)?.sqrt()))
+                Ok(NumberOrAngle::plain(self.unmixed(start, value)?.sqrt()))
             }
             Some(c) if c.is_ascii_digit() || c == '.' || c == ',' => self.literal(),
             Some(c) if c.is_alphabetic() => self.name(),
@@ -385,7 +385,7 @@ impl<'a> Parser<'a> {
 
     /// The argument of a function: in parentheses, in braces, an angle in degrees, as in `tan 20°`, or a number if
     /// no angle is meant, as in `sqrt 2`.
-    fn argument(&mut self, dimension: Dimension) -> Result<Quantity, ExpressionError> {
+    fn argument(&mut self, dimension: Dimension) -> Result<NumberOrAngle, ExpressionError> {
         match self.peek() {
             Some('{') => self.group(dimension),
             Some(c) if c.is_ascii_digit() && dimension == Dimension::Angle => {
@@ -403,16 +403,16 @@ impl<'a> Parser<'a> {
     }
 
     /// A sum in parentheses.
-    fn parenthesis(&mut self, dimension: Dimension) -> Result<Quantity, ExpressionError> {
+    fn parenthesis(&mut self, dimension: Dimension) -> Result<NumberOrAngle, ExpressionError> {
         self.between(['(', ')'], dimension)
     }
 
     /// A sum in braces.
-    fn group(&mut self, dimension: Dimension) -> Result<Quantity, ExpressionError> {
+    fn group(&mut self, dimension: Dimension) -> Result<NumberOrAngle, ExpressionError> {
         self.between(['{', '}'], dimension)
     }
 
-    fn between(&mut self, [open, close]: [char; 2], dimension: Dimension) -> Result<Quantity, ExpressionError> {
+    fn between(&mut self, [open, close]: [char; 2], dimension: Dimension) -> Result<NumberOrAngle, ExpressionError> {
         match self.peek() {
             None => return Err(self.missing(ExpressionProblem::Unfinished)),
             Some(c) if c == open => self.eat(&[open]),
@@ -431,7 +431,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn literal(&mut self) -> Result<Quantity, ExpressionError> {
+    fn literal(&mut self) -> Result<NumberOrAngle, ExpressionError> {
         let bytes = self.rest.as_bytes();
         let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
         let mut end = digits(0);
@@ -454,26 +454,26 @@ impl<'a> Parser<'a> {
         if let Some(c @ ('.' | ',' | '0'..='9')) = self.peek() {
             return Err(self.unexpected(c));
         }
-        Ok(Quantity::plain(value))
+        Ok(NumberOrAngle::plain(value))
     }
 
-    fn name(&mut self) -> Result<Quantity, ExpressionError> {
+    fn name(&mut self) -> Result<NumberOrAngle, ExpressionError> {
         let start = self.at();
         let word = self.word();
         self.rest = &self.rest[word.len()..];
         if let Some((_, value)) = self.names.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)) {
-            return Ok(Quantity::plain(*value));
+            return Ok(NumberOrAngle::plain(*value));
         }
         let name = word.to_lowercase();
         match name.as_str() {
             "pi" | "π" => Ok(match self.dimension {
-                Dimension::Number => Quantity::plain(std::f64::consts::PI),
-                Dimension::Angle => Quantity::degrees(180.0),
+                Dimension::Number => NumberOrAngle::plain(std::f64::consts::PI),
+                Dimension::Angle => NumberOrAngle::degrees(180.0),
             }),
             "sin" | "sen" | "cos" | "tan" | "tg" | "cot" | "cotg" => {
-                let Quantity { value, is_angle } = self.argument(Dimension::Angle)?;
+                let NumberOrAngle { value, is_angle } = self.argument(Dimension::Angle)?;
                 let (sin, cos) = if is_angle { Angle::from_degrees(value).sin_cos() } else { value.sin_cos() };
-                Ok(Quantity::plain(match name.as_str() {
+                Ok(NumberOrAngle::plain(match name.as_str() {
                     "sin" | "sen" => sin,
                     "cos" => cos,
                     "cot" | "cotg" => cos / sin,
@@ -486,13 +486,13 @@ impl<'a> Parser<'a> {
                 let v = self.argument(Dimension::Number)?.number();
                 let v = self.unmixed(inside, v)?;
                 Ok(match name.as_str() {
-                    "asin" | "arcsin" | "arcsen" => Quantity::degrees(v.asin().to_degrees()),
-                    "acos" | "arccos" => Quantity::degrees(v.acos().to_degrees()),
-                    "atan" | "arctan" | "arctg" => Quantity::degrees(v.atan().to_degrees()),
-                    "abs" => Quantity::plain(v.abs()),
-                    "exp" => Quantity::plain(v.exp()),
-                    "ln" => Quantity::plain(v.ln()),
-                    _ => Quantity::plain(v.sqrt()),
+                    "asin" | "arcsin" | "arcsen" => NumberOrAngle::degrees(v.asin().to_degrees()),
+                    "acos" | "arccos" => NumberOrAngle::degrees(v.acos().to_degrees()),
+                    "atan" | "arctan" | "arctg" => NumberOrAngle::degrees(v.atan().to_degrees()),
+                    "abs" => NumberOrAngle::plain(v.abs()),
+                    "exp" => NumberOrAngle::plain(v.exp()),
+                    "ln" => NumberOrAngle::plain(v.ln()),
+                    _ => NumberOrAngle::plain(v.sqrt()),
                 })
             }
             _ => Err(self.error(start, ExpressionProblem::UnknownName(word.to_owned()))),

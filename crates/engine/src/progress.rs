@@ -31,12 +31,12 @@ crate::listed! {
 #[derive(Clone, Debug, Default)]
 pub struct Progress {
     cancelled: Arc<AtomicBool>,
-    steps: Arc<Steps>,
+    steps: Arc<StepCounts>,
 }
 
 /// Each value has a meaning by itself, so no order between them is needed.
 #[derive(Debug, Default)]
-struct Steps {
+struct StepCounts {
     /// The index of the present activity, from 1. 0 if there's nothing to report.
     doing: AtomicU8,
     done: AtomicUsize,

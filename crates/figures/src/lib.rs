@@ -12,9 +12,21 @@ use camera_lab_engine::{
 
 pub mod chart;
 pub mod explain;
-pub mod export;
 pub mod figure;
 pub mod formula;
 pub mod inspect;
 pub mod picture;
 pub mod views;
+
+/// Drawing or report → file formats.
+pub mod export {
+    pub mod animation;
+    pub mod crop;
+    pub mod format;
+    pub mod paper;
+    pub mod plot;
+    pub mod png;
+    pub mod sheet;
+    pub mod vector;
+    pub mod web;
+}

@@ -64,9 +64,9 @@ mod threads {
     }
 
     /// Work with a file. When it ends, also with a panic, the file doesn't stall any more.
-    struct Work(PathBuf);
+    struct WatchedWork(PathBuf);
 
-    impl Drop for Work {
+    impl Drop for WatchedWork {
         fn drop(&mut self) {
             stalled().remove(&self.0);
         }
@@ -96,7 +96,7 @@ mod threads {
             if stalled.iter().any(is_beside) { limit / PART } else { limit }
         };
         let (sender, receiver) = channel();
-        let own = Work(path.to_owned());
+        let own = WatchedWork(path.to_owned());
         thread::Builder::new().name("file".to_owned()).spawn(move || {
             // The thread that wanted it may have given up.
             let _ = sender.send(work(&own.0));

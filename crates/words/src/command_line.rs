@@ -2,7 +2,6 @@
 
 use std::ops::RangeInclusive;
 
-use super::Lang;
 use crate::camera::{Decomposition, ImageSize};
 use crate::export::format::PictureFormat;
 use crate::expression::ExpressionError;

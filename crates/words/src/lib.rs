@@ -5,9 +5,11 @@
 
 /// The texts of a file of `assets/words`, which `build.rs` writes as Rust: the struct `Texts`, and a macro `text!` for
 /// its `[lines]`: `text!(lang, key)` is a `&'static str` or an array of them, `text!(lang, key, name, count = n + 1)` a
-/// `String` with values.
+/// `String` with values. It brings [`Lang`] along.
 macro_rules! texts {
     ($file:literal) => {
+        use crate::Lang;
+
         include!(concat!(env!("OUT_DIR"), "/words/", $file, ".rs"));
     };
 }
@@ -68,14 +70,93 @@ mod pages {
 }
 
 pub mod command_line;
-pub mod families;
-pub mod file_names;
 pub mod handout;
 pub mod learn;
 pub mod messages;
 pub mod pictures;
 pub mod why;
 pub mod window;
+
+/// Names of files from titles.
+pub mod file_names {
+    use crate::window::search::folded;
+
+    /// The greatest length of a name made from a title.
+    const MAX_NAME: usize = 60;
+
+    /// The words of a title as the name of a file, without accents. `None` if nothing is left of them.
+    pub fn name_of_title(title: &str) -> Option<String> {
+        let folded = folded(title);
+        let words = folded.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+        let mut name = String::new();
+        for word in words.filter(|word| word.len() <= MAX_NAME) {
+            if name.len() + word.len() >= MAX_NAME {
+                break;
+            }
+            name.push_str(if name.is_empty() { "" } else { "-" });
+            name.push_str(word);
+        }
+        Some(name).filter(|name| !name.is_empty())
+    }
+
+    #[cfg(test)]
+    mod tests {
+        use super::*;
+
+        #[test]
+        fn names_come_from_titles() {
+            for (title, name) in [
+                ("A camera in numbers", Some("a-camera-in-numbers")),
+                ("Uma câmera: “três” números", Some("uma-camera-tres-numeros")),
+                ("§ θ", None),
+            ] {
+                assert_eq!(name_of_title(title).as_deref(), name);
+            }
+            assert!(
+                name_of_title(&"word ".repeat(40)).is_some_and(|name| name.len() <= MAX_NAME && name.ends_with("word"))
+            );
+        }
+    }
+}
+
+/// The words about families of pictures, with the reasons why some keys can't be varied.
+pub mod families {
+    use super::messages;
+    use crate::figure::variation::VariationError;
+    use crate::limits::{MAX_FAMILY, MAX_FRAMES};
+    use crate::sanitize::escaped;
+
+    texts!("families");
+
+    /// The reason why there is no family.
+    pub fn error(lang: Lang, error: &VariationError) -> String {
+        match error {
+            VariationError::NoValues => text!(lang, error_no_values).to_owned(),
+            VariationError::Range { found, limit } => text!(lang, error_range, found = escaped(found), limit),
+            VariationError::TooMany { count, limit } => text!(lang, error_too_many, count, limit),
+            VariationError::Figure { key, value, error } => {
+                format!("{} = {}: {}", escaped(key), escaped(value), messages::without_line(lang, error))
+            }
+            VariationError::Operation { key, value, error } => {
+                format!("{} = {}: {}", escaped(key), escaped(value), messages::operation(lang, error))
+            }
+        }
+    }
+
+    texts_with_values! {
+        /// A number of columns that no sheet has.
+        columns(lang, text: &str): (text = escaped(text), MAX_FAMILY);
+
+        /// A number of pictures that no animation has.
+        frames(lang, text: &str): (text = escaped(text), MAX_FRAMES);
+
+        /// A number of variations that a command can't use.
+        variations(lang, count: usize, most: usize);
+
+        /// Rows that wouldn't have the pictures of a figure below one another.
+        uneven_rows(lang, count: usize, columns: usize);
+    }
+}
 
 use camera_lab_engine::{appearance, camera, expression, limits, numbers, pipeline, progress, sanitize, scene, stage};
 use camera_lab_figures::{explain, export, figure, formula, inspect, picture, views};

@@ -1,6 +1,6 @@
 //! The words in the three pictures.
 
-use super::{Lang, messages, told, window};
+use super::{messages, told, window};
 use crate::figure::{Figure, Localized};
 use crate::picture::{Composite, Crowded, Metadata, NoAreas};
 use crate::stage::Stage;

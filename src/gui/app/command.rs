@@ -13,7 +13,8 @@ pub use table::MENUS;
 /// A menu: its title, and its commands in groups with lines between them.
 #[derive(Debug)]
 pub struct Menu {
-    pub(in crate::gui) title: fn(&Texts) -> &'static str,
+    /// Its title.
+    pub title: fn(&Texts) -> &'static str,
     /// False if its place is elsewhere, at the titles of the pictures.
     pub in_bar: bool,
     groups: &'static [&'static [Row]],

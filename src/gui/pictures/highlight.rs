@@ -74,9 +74,7 @@ fn mark_objects(scene: &mut Scene, spec: &SceneSpec, name: &str, color: Rgba) {
         boxes.extend(placement(spec, &grid.name).ok().flatten().map(|matrix| (flat, matrix)));
     }
     for (bounds, matrix) in boxes {
-        scene
-            .lines
-            .extend(box_edges(&bounds, &matrix).map(|ends| Line { points: ends.to_vec(), style: style(color, 1.6) }));
+        scene.lines.extend(box_edges(&bounds, &matrix).map(|ends| Line::new(ends.to_vec(), style(color, 1.6))));
     }
 }
 
@@ -127,7 +125,7 @@ fn mark_light(scene: &mut Scene, light: Light, bounds: Option<Aabb>, color: Rgba
             let around = bounds.unwrap_or(Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE });
             let (to, length) = (around.center(), 1.2 * around.radius().max(1e-3));
             let style = LineStyle { arrow: true, hidden: HiddenLines::Shown, ..style(color, 2.5) };
-            scene.lines.push(Line { points: vec![to - unit * length, to], style });
+            scene.lines.push(Line::new(vec![to - unit * length, to], style));
         }
     }
 }

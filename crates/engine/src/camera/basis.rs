@@ -19,6 +19,13 @@ pub struct Basis {
     pub n: DVec3,
 }
 
+impl Basis {
+    /// The axes: the number of each, from 0, and its name.
+    pub fn named(&self) -> [(u8, DVec3, &'static str); 3] {
+        [(0, self.u, "u"), (1, self.v, "v"), (2, self.n, "n")]
+    }
+}
+
 /// The pose of a camera: position and axes. Stored in double-double, so that a chain of operations rounds once, at its
 /// end.
 #[derive(Clone, Debug, PartialEq)]

@@ -18,11 +18,9 @@
 //! its test.
 
 mod basis;
-mod check;
 mod conventions;
 mod image_map;
 mod lens_form;
-mod matrix;
 mod operation;
 mod parameters;
 mod photograph;
@@ -33,6 +31,25 @@ mod stereo;
 mod unproject;
 mod volume;
 mod window;
+
+/// The matrices of a camera, in every convention of NDC, and as a product of steps.
+mod matrix {
+    mod clip_space;
+    mod decomposition;
+    pub(crate) mod projection;
+
+    pub use clip_space::ClipSpace;
+    pub use decomposition::{Decomposition, Factor, Step};
+}
+
+/// Cameras that aren't what their author meant: repairs of impossible ones, warnings about possible ones.
+mod check {
+    mod repair;
+    mod warnings;
+
+    pub use repair::{CameraRepair, camera_repairs};
+    pub use warnings::{Warning, thresholds};
+}
 
 pub use basis::Basis;
 pub use check::{CameraRepair, Warning, camera_repairs, thresholds};

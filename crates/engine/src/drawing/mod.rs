@@ -76,7 +76,34 @@ impl Drawing {
     }
 }
 
-/// A set of polylines that look the same.
+/// The part that a text or a line plays in a picture. The layout of texts depends on it, never on colours and names,
+/// which authors choose. Texts of the parts before [`Content`](Self::Content) choose their places in this order.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Role {
+    /// C.
+    Center,
+    /// PF.
+    FocalPoint,
+    /// An axis: the first, the second or the third.
+    Axis(u8),
+    /// VUP.
+    ViewUp,
+    /// The view window.
+    Window,
+    /// The far face of the view volume.
+    FarFace,
+    /// DOP.
+    Direction,
+    /// Something of the scene, or about it.
+    #[default]
+    Content,
+    /// A text that stands beside bodies, not in front of them.
+    Aside,
+    /// A line that texts may cover: the ground grid.
+    Ground,
+}
+
+/// A set of polylines that look the same and play the same part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StrokeSet {
     /// x, y in pixels and depth.
@@ -85,19 +112,21 @@ pub struct StrokeSet {
     pub polylines: Vec<Range<u32>>,
     /// Their look. The width is in pixels of this drawing (already scaled).
     pub style: LineStyle,
+    /// Their part in the picture.
+    pub role: Role,
 }
 
 impl StrokeSet {
     /// One polyline.
     pub fn line(points: Vec<[f32; 3]>, style: LineStyle) -> Self {
         let end = u32::try_from(points.len()).unwrap_or(u32::MAX);
-        Self { points, polylines: std::iter::once(0..end).collect(), style }
+        Self { points, polylines: std::iter::once(0..end).collect(), style, role: Role::Content }
     }
 
     /// Segments.
     pub fn pairs(ends: &[[[f32; 3]; 2]], style: LineStyle) -> Self {
         let polylines = (0..).step_by(2).map(|first| first..first + 2).take(ends.len()).collect();
-        Self { points: ends.as_flattened().to_vec(), polylines, style }
+        Self { points: ends.as_flattened().to_vec(), polylines, style, role: Role::Content }
     }
 }
 
@@ -173,6 +202,8 @@ pub struct Label {
     pub anchor: Anchor,
     /// Drawn faintly (true) or fully (false) if a face hides its point.
     pub fade_if_hidden: bool,
+    /// Its part in the picture.
+    pub role: Role,
 }
 
 impl Label {
@@ -189,6 +220,7 @@ impl Label {
             halo,
             anchor: Anchor::Left,
             fade_if_hidden: false,
+            role: Role::Content,
         }
     }
 }

@@ -27,13 +27,31 @@
 pub mod budget;
 mod mesh;
 mod object_pass;
-mod order;
 pub mod plan;
 pub mod report;
 mod scenes;
-mod show;
 mod space;
 mod stage;
+
+/// Reveals the inner work of the pipeline. No picture of a scene needs any of it.
+mod show {
+    pub mod canonical;
+    pub mod clip_parts;
+    pub mod cull_result;
+    pub mod divide_before_clip;
+    pub mod one_triangle;
+    mod projected;
+    pub mod shadow_rays;
+}
+
+/// The order in which faces and strokes are painted if no depth buffer decides.
+mod order {
+    pub(crate) mod bsp;
+    pub(crate) mod painter;
+    pub(crate) mod pieces;
+    pub mod stroke_order;
+    pub mod stroke_runs;
+}
 
 use crate::appearance::{Rgba, Samples, Shading, Style, Visibility};
 use crate::camera::Camera;

@@ -223,18 +223,7 @@ mod tests {
         text::draw(
             &mut pixmap,
             &depth,
-            &Label {
-                name: text.clone(),
-                mathematical: false,
-                position,
-                text,
-                size,
-                color,
-                halo,
-                anchor,
-                offset,
-                fade_if_hidden,
-            },
+            &Label { anchor, offset, fade_if_hidden, ..Label::new(position, text, size, [color, halo]) },
         );
         let faces = Occluders { opaque: &depth, tints: None };
         mark(&mut pixmap, faces, &Mark { position, shape, radius: size, color, outline: halo, fade_if_hidden });

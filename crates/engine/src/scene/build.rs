@@ -58,7 +58,7 @@ pub fn build_with(
     });
     let before = std::mem::take(&mut files.primitives);
     let mapped_before = std::mem::take(&mut files.mapped);
-    let mut maker = Maker { colors, before, mapped_before, read_file, files };
+    let mut maker = MeshMaker { colors, before, mapped_before, read_file, files };
     let mut turns = PALETTE.into_iter().cycle();
     let mut next_color = || turns.next().unwrap_or(PALETTE[0]);
     for placed in &placed_preset {
@@ -78,7 +78,7 @@ pub fn build_with(
 }
 
 /// Makes meshes. Equal ones are made once.
-struct Maker<'a, 'b> {
+struct MeshMaker<'a, 'b> {
     colors: SceneColors,
     /// The primitives of the last time. Those that are used again go back to `files`.
     before: BTreeMap<(&'static str, u32), Arc<Mesh>>,
@@ -87,7 +87,7 @@ struct Maker<'a, 'b> {
     files: &'a mut MeshFiles,
 }
 
-impl Maker<'_, '_> {
+impl MeshMaker<'_, '_> {
     fn add(&mut self, scene: &mut Scene, placed: &Placed<'_>, color: Rgba) -> Result<(), SceneError> {
         let Some(shape) = &placed.spec.shape else { return Ok(()) };
         let name = &placed.spec.name;
@@ -98,7 +98,7 @@ impl Maker<'_, '_> {
                 let style = self.colors.grid_style(placed.color.unwrap_or(self.colors.grid));
                 let lines = primitives::grid_lines(allowed_segments(placed.spec)?);
                 let first = scene.lines.len();
-                scene.lines.extend(lines.iter().map(|l| Line { points: l.map(to_world).to_vec(), style }));
+                scene.lines.extend(lines.iter().map(|l| Line::new(l.map(to_world).to_vec(), style)));
                 scene.grids.push((name.clone(), first..scene.lines.len()));
             }
             Shape::Points(points) => {

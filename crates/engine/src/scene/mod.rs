@@ -11,7 +11,14 @@ mod read_error;
 mod shadows;
 pub mod spec;
 pub mod texture;
-mod tree;
+
+/// The tree of a figure's scene: presets, its edits, and its names and transforms resolved.
+mod tree {
+    pub mod edit;
+    pub(crate) mod presets;
+    pub(crate) mod resolve;
+    pub mod transform;
+}
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -19,6 +26,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 
 use crate::appearance::{LightShare, LineStyle, MarkShape, Rgba, Sampler, Texture};
+use crate::drawing::Role;
 use crate::geometry::Aabb;
 pub use build::{build, build_with};
 pub use error::{SceneError, chain_text};
@@ -254,6 +262,15 @@ pub struct Line {
     pub points: Vec<DVec3>,
     /// Colour, width in pixels, and dashes.
     pub style: LineStyle,
+    /// Its part in the picture.
+    pub role: Role,
+}
+
+impl Line {
+    /// A line of the scene, or about it.
+    pub fn new(points: Vec<DVec3>, style: LineStyle) -> Self {
+        Self { points, style, role: Role::Content }
+    }
 }
 
 /// A point mark in the world.
@@ -288,6 +305,8 @@ pub struct Text {
     pub color: Rgba,
     /// Faint if a face hides its point, else always fully drawn.
     pub fade_if_hidden: bool,
+    /// Its part in the picture.
+    pub role: Role,
 }
 
 /// Half the width of a point's mark, in pixels at scale 1.
@@ -315,6 +334,7 @@ pub(super) fn point_name(position: DVec3, text: &str, color: Rgba) -> Text {
         size: NAME_SIZE,
         color,
         fade_if_hidden: true,
+        role: Role::Content,
     }
 }
 

@@ -28,4 +28,5 @@ mod raster_lines;
 mod raster_pictures;
 mod raster_slivers;
 mod recovery;
+mod strokes;
 mod textbook;

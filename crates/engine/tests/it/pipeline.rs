@@ -105,7 +105,7 @@ fn objects_outside_are_dropped_and_crossing_ones_stay() {
 
 #[test]
 fn lines_are_cut_scaled_and_keep_their_arrow_only_at_the_true_end() {
-    let line = |points: &[DVec3]| Line { points: points.to_vec(), style: STROKE };
+    let line = |points: &[DVec3]| Line::new(points.to_vec(), STROKE);
     let scene = Scene {
         lines: vec![
             line(&[DVec3::new(0.0, 0.0, 5.0), DVec3::new(0.0, 0.0, -2.0)]),

@@ -11,7 +11,7 @@ use crate::common::scenes::{STROKE, TARGET, cube, eye, object, only, shading};
 /// Three cubes: one wholly in view, one that the left plane (x = −2d) cuts, one behind the eye.
 fn cubes() -> Scene {
     let at = |x: f64, z: f64| object(cube(), DMat4::from_translation(DVec3::new(x, 0.0, z)));
-    let line = Line { points: vec![DVec3::new(50.0, 0.0, -4.0), DVec3::new(60.0, 0.0, -4.0)], style: STROKE };
+    let line = Line::new(vec![DVec3::new(50.0, 0.0, -4.0), DVec3::new(60.0, 0.0, -4.0)], STROKE);
     Scene {
         objects: vec![Object { edges: Some(STROKE), ..at(0.0, -4.0) }, at(-8.0, -4.0), at(0.0, 4.0)],
         lights: vec![Light::directional(DVec3::NEG_ONE)],

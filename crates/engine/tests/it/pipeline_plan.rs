@@ -93,7 +93,7 @@ fn each_ground_for_a_stage_brings_it_back() {
     assert_eq!(depth(&only(object(cube(), at(-1.5)))), (true, Reason::HidesItself));
     let mut with_line = alone.clone();
     let line = LineStyle { color: CLAY, width: 1.0, dash: Dash::Solid, hidden: HiddenLines::Dashed, arrow: false };
-    with_line.lines.push(Line { points: vec![DVec3::ZERO, DVec3::NEG_Z * 5.0], style: line });
+    with_line.lines.push(Line::new(vec![DVec3::ZERO, DVec3::NEG_Z * 5.0], line));
     assert_eq!(depth(&with_line), (true, Reason::LinesAskForDepth));
     with_line.lines[0].style.hidden = HiddenLines::Shown;
     assert_eq!(depth(&with_line), (false, Reason::ConvexAlone));

@@ -105,7 +105,7 @@ fn a_line_behind_painted_faces_is_hidden() {
         hidden: HiddenLines::Hidden,
         arrow: false,
     };
-    scene.lines.push(Line { points: vec![DVec3::new(-2.0, 0.6, -1.0), DVec3::new(2.0, 0.6, -1.0)], style: hidden });
+    scene.lines.push(Line::new(vec![DVec3::new(-2.0, 0.6, -1.0), DVec3::new(2.0, 0.6, -1.0)], hidden));
     let picture = |visibility| paint(&draw(&scene, &before(), SMALL, &style(visibility)));
     let (depth, bsp) = (picture(Visibility::DepthBuffer), picture(Visibility::Bsp));
     assert_eq!(difference(&depth, &bsp).1, 0);

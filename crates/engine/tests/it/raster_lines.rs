@@ -116,10 +116,9 @@ fn draw(
 
 fn with_edges(drawing: &Drawing, points: &[[f32; 3]], edges: &[[usize; 2]], hidden: HiddenLines) -> Pixmap {
     let mut drawing = drawing.clone();
-    let points: Vec<[f32; 3]> = edges.iter().flat_map(|e| [points[e[0]], points[e[1]]]).collect();
-    let polylines = (0..u32::try_from(edges.len()).expect("few edges")).map(|k| 2 * k..2 * k + 2).collect();
+    let ends: Vec<_> = edges.iter().map(|e| [points[e[0]], points[e[1]]]).collect();
     let style = LineStyle { color: INK, width: 1.5, dash: Dash::Solid, hidden, arrow: false };
-    drawing.strokes.push(StrokeSet { points, polylines, style });
+    drawing.strokes.push(StrokeSet::pairs(&ends, style));
     Rasterizer::default().paint(&drawing).expect("a picture")
 }
 
@@ -255,7 +254,7 @@ fn strokes_that_are_nonsense_are_left_out_without_harm() {
                 let surface = Surface::solid(square, vec![[0, 1, 2]], INK);
                 let drawing = Drawing {
                     surfaces: vec![surface],
-                    strokes: vec![StrokeSet { points, polylines, style }],
+                    strokes: vec![StrokeSet { polylines, ..StrokeSet::line(points, style) }],
                     ..Drawing::new(100, 80, Rgba::rgb(255, 255, 255))
                 };
                 assert!(Rasterizer::default().paint(&drawing).is_some());

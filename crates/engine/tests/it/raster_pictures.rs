@@ -20,12 +20,7 @@ fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, color: Rgba) -> S
 }
 
 fn stroke(points: Vec<[f32; 3]>, hidden: HiddenLines, arrow: bool) -> StrokeSet {
-    let end = u32::try_from(points.len()).expect("a few points");
-    StrokeSet {
-        points,
-        polylines: std::iter::once(0..end).collect(),
-        style: LineStyle { color: INK, width: 2.0, dash: Dash::Solid, hidden, arrow },
-    }
+    StrokeSet::line(points, LineStyle { color: INK, width: 2.0, dash: Dash::Solid, hidden, arrow })
 }
 
 fn label(position: [f32; 3], text: &str, fade_if_hidden: bool) -> Label {

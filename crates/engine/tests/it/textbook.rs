@@ -83,17 +83,21 @@ struct Scene {
 }
 
 /// Numbers without a pattern (`SplitMix64`).
-struct Random(u64);
+pub(super) struct Random(u64);
 
 impl Random {
-    fn next(&mut self) -> u64 {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    pub(super) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
 
-    fn within(&mut self, low: f32, high: f32) -> f32 {
+    pub(super) fn within(&mut self, low: f32, high: f32) -> f32 {
         low + (high - low) * (self.next() >> 40) as f32 / (1 << 24) as f32
     }
 
@@ -107,7 +111,7 @@ impl Random {
         v.map(|c| c / length)
     }
 
-    fn color(&mut self, opaque: bool) -> Rgba {
+    pub(super) fn color(&mut self, opaque: bool) -> Rgba {
         let [r, g, b, a] = (self.next() as u32).to_le_bytes();
         Rgba::rgba(r, g, b, if opaque { 255 } else { a })
     }
@@ -117,7 +121,7 @@ impl Random {
         if self.next().is_multiple_of(2) { self.within(0.0, 1.0) } else { (self.next() % 9) as f32 / 8.0 }
     }
 
-    fn position(&mut self, size: [u32; 2], beyond: f32) -> [f32; 3] {
+    pub(super) fn position(&mut self, size: [u32; 2], beyond: f32) -> [f32; 3] {
         let [x, y] = size.map(|size| self.within(-beyond, size as f32 + beyond));
         [x, y, self.depth()]
     }
@@ -279,7 +283,7 @@ fn drawing(scene: &Scene) -> Drawing {
         hidden: HiddenLines::Dashed,
         arrow: false,
     };
-    let strokes = StrokeSet { points: Vec::new(), polylines: Vec::new(), style };
+    let strokes = StrokeSet::pairs(&[], style);
     Drawing {
         antialias: scene.antialias,
         painted_in_order: scene.painted_in_order,

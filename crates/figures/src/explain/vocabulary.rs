@@ -152,7 +152,7 @@ impl Vocabulary {
     pub fn lines(self, camera: &Camera, image: ImageSize) -> Result<Vec<Line>, Limitation> {
         self.check(camera)?;
         let symmetric = Self::Vrc.check(camera).is_ok();
-        let values = Values { camera, image };
+        let values = SymbolValues { camera, image };
         Ok(match (self, camera.projection()) {
             (Self::OpenGl, projection) => vec![values.look_at(), values.open_gl_lens(projection, symmetric)],
             (Self::Vrc, _) => values.vrc(),
@@ -252,7 +252,7 @@ fn turn_of_entry(camera: &Camera, row: usize, column: usize, value: f64) -> DMat
     DMat3::from_axis_angle(about, from - to)
 }
 
-struct Values<'a> {
+struct SymbolValues<'a> {
     camera: &'a Camera,
     image: ImageSize,
 }
@@ -274,7 +274,7 @@ fn vector(names: [&'static str; 3], value: DVec3, quantity: fn(Component) -> Cam
     parts.map(|((name, value), component)| argument(name, value, quantity(component))).collect()
 }
 
-impl Values<'_> {
+impl SymbolValues<'_> {
     fn window(&self) -> [f64; 4] {
         let ViewWindow { left, right, bottom, top } = self.camera.window();
         [left, right, bottom, top]

@@ -2,7 +2,6 @@
 //! the explanations in the pictures. One figure file is one `Figure`.
 
 mod cameras;
-mod comparison;
 mod edit;
 pub mod error;
 mod keys;
@@ -29,7 +28,6 @@ use crate::appearance::Style;
 use crate::camera::{ImageSize, LensForm, Parameters, Projection, Viewport};
 use crate::scene::{FileUse, Preset, SceneSpec};
 pub use cameras::{CameraTag, NamedCamera};
-pub use comparison::Comparison;
 pub use edit::{Difference, difference, has, number_at, show_with, update, varied, varied_together};
 pub use error::FigureError;
 pub use keys::KEYS;
@@ -38,7 +36,7 @@ pub use labels::{
 };
 pub use localized::Localized;
 pub use observer::Observer;
-pub use other_side::OtherSide;
+pub use other_side::{Comparison, OtherSide};
 pub use points::NamedPoint;
 pub use reveal::{Depth, Outside, Reveal, ShadowReveal};
 pub use screen::{Arrangement, Explanation, Screen, ScreenEntry, ScreenMatrix};

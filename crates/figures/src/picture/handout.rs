@@ -105,7 +105,7 @@ impl Handout {
                 pages.flow(&entry.paragraphs, size);
                 continue;
             };
-            let mut block = Block { items: Vec::new(), height: 0.0, width };
+            let mut block = PlacedEntry { items: Vec::new(), height: 0.0, width };
             let per_inch = 72.0 * f64::from(sheet.size().ok_or(PictureError::TooLarge)?[0]) / f64::from(width);
             let drawn = page(sheet, (faces, &mut known), [per_inch, dpi], false, progress).await?;
             block.picture(drawn.page);
@@ -136,13 +136,13 @@ impl Handout {
 }
 
 /// An entry, laid out at (0, 0), in points.
-struct Block {
+struct PlacedEntry {
     items: Vec<Item>,
     height: f32,
     width: f32,
 }
 
-impl Block {
+impl PlacedEntry {
     fn picture(&mut self, page: Page) {
         let scale = self.width / page.size[0].max(1.0);
         let clip = [0.0, 0.0, page.size[0], page.size[1]];
@@ -260,7 +260,7 @@ impl<'a> Pages<'a> {
     }
 
     /// Puts entries side by side, without breaking them.
-    fn put_row(&mut self, row: Vec<Block>) {
+    fn put_row(&mut self, row: Vec<PlacedEntry>) {
         if row.is_empty() {
             return;
         }
@@ -288,7 +288,7 @@ impl<'a> Pages<'a> {
     fn flow(&mut self, paragraphs: &[Paragraph], size: f32) {
         let width = PAPER[0] - 2.0 * BORDER;
         let block = |paragraph: &Paragraph| {
-            let mut block = Block { items: Vec::new(), height: 0.0, width };
+            let mut block = PlacedEntry { items: Vec::new(), height: 0.0, width };
             block.paragraph(paragraph, size);
             block
         };
@@ -302,7 +302,7 @@ impl<'a> Pages<'a> {
         };
         let paragraphs: Vec<Paragraph> = paragraphs.iter().flat_map(in_lines).collect();
         for (k, paragraph) in paragraphs.iter().enumerate() {
-            let Block { items, height, .. } = block(paragraph);
+            let PlacedEntry { items, height, .. } = block(paragraph);
             // The first lines of an entry stay together.
             let below = paragraphs.get(k + 1..).unwrap_or_default().iter().take(if k == 0 { 2 } else { 0 });
             self.make_room(height + below.map(|paragraph| block(paragraph).height).sum::<f32>());

@@ -164,12 +164,12 @@ pub fn center(pixel: u32) -> f64 {
 /// The truth of the last pictures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FoundShadows {
-    kept: Vec<(Key, Arc<ShadowTruth>)>,
+    kept: Vec<(ShadowKey, Arc<ShadowTruth>)>,
 }
 
 /// The inputs of the truth of a picture's shadows.
 #[derive(Clone, Debug, PartialEq)]
-struct Key {
+struct ShadowKey {
     camera: Camera,
     scene: SharedScene,
     image: ImageSize,
@@ -189,7 +189,7 @@ impl FoundShadows {
             return None;
         }
         let (camera, scene) = (request.camera.clone(), request.scene.clone());
-        let key = Key { camera, scene, image: look.image };
+        let key = ShadowKey { camera, scene, image: look.image };
         if let Some((_, truth)) = self.kept.iter().find(|(of, _)| *of == key) {
             return Some(Arc::clone(truth));
         }
@@ -200,8 +200,8 @@ impl FoundShadows {
     }
 }
 
-async fn truth(key: &Key, progress: &Progress) -> Option<ShadowTruth> {
-    let Key { camera, scene, image } = key;
+async fn truth(key: &ShadowKey, progress: &Progress) -> Option<ShadowTruth> {
+    let ShadowKey { camera, scene, image } = key;
     let pixels = u64::from(image.width) * u64::from(image.height);
     if pixels > MAX_STEPPED_PIXELS || Solids::count(scene) > MAX_RAY_TRIANGLES {
         return Some(ShadowTruth::TooMuch);

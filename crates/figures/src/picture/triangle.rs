@@ -95,12 +95,12 @@ impl TrianglePixels {
 /// The triangle followed last, cached as long as it, its scene and its camera stay the same.
 #[derive(Clone, Debug, Default)]
 pub struct FollowedTriangle {
-    kept: Option<(Key, Kept)>,
+    kept: Option<(TriangleKey, Kept)>,
 }
 
 /// The inputs of the numbers of a triangle.
 #[derive(Clone, Debug, PartialEq)]
-struct Key {
+struct TriangleKey {
     camera: Camera,
     scene: SharedScene,
     look: Look,
@@ -141,7 +141,7 @@ impl FollowedTriangle {
         let ShownTriangle { object, index, .. } = request.shot.show.triangle.as_ref()?;
         let place = request.scene.place_of(object)?;
         let (camera, scene) = (request.camera.clone(), request.scene.clone());
-        let key = Key { camera, scene, look: request.shot.look, object: place, index: *index };
+        let key = TriangleKey { camera, scene, look: request.shot.look, object: place, index: *index };
         if self.kept.as_ref().is_none_or(|(of, _)| *of != key) {
             let image = request.shot.look.image;
             let background = Rgba::rgb(0, 0, 0);

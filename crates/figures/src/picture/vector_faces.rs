@@ -133,12 +133,12 @@ impl Part<'_> {
 }
 
 /// The place of a part: its triangles, each in the order of painting, and the box around them.
-struct Shape {
+struct PartShape {
     triangles: Vec<Corners>,
     bounds: [[f32; 2]; 2],
 }
 
-impl Shape {
+impl PartShape {
     fn of(part: &Part) -> Self {
         let triangles = part.triangles();
         let bounds = bounds_of(triangles.as_flattened());
@@ -205,7 +205,7 @@ fn gather(parts: &mut Vec<Part>) {
     if !parts.iter().any(|part| matches!(part, Part::Pictured(_))) {
         return;
     }
-    let mut shapes: Vec<Shape> = parts.iter().map(Shape::of).collect();
+    let mut shapes: Vec<PartShape> = parts.iter().map(PartShape::of).collect();
     let mut steps = MOST_COMPARED;
     let mut from = 0;
     while let Some(first) = (from..parts.len()).find(|k| matches!(parts[*k], Part::Pictured(_))) {

@@ -82,7 +82,7 @@ pub(super) async fn page(
     crop: bool,
     progress: &Progress,
 ) -> Result<Drawn, PictureError> {
-    let mut painter = Painter { faces, finer: finer(sheet, dpi / per_inch), ..Painter::default() };
+    let mut painter = FacePainter { faces, finer: finer(sheet, dpi / per_inch), ..FacePainter::default() };
     let (mut pictures, mut parts) = (Vec::new(), Vec::new());
     // The steps below are pictures, not the rows of each.
     painter.renderer.watch(&progress.part());
@@ -141,7 +141,7 @@ fn finer(sheet: &Composite, wanted: f64) -> u32 {
 }
 
 #[derive(Default)]
-struct Painter {
+struct FacePainter {
     faces: Faces,
     /// Pixels of a picture of faces, per unit.
     finer: u32,
@@ -151,7 +151,7 @@ struct Painter {
     no_areas: Option<NoAreas>,
 }
 
-impl Painter {
+impl FacePainter {
     /// The items of a picture; for a compared one, those of both sides.
     fn picture(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
         let Some(sides) = request.sides() else { return self.one(request) };

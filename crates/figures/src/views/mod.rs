@@ -14,20 +14,50 @@ mod arrangement;
 mod canonical;
 mod compared;
 mod image;
-mod interact;
 pub mod observer;
-mod observer_of;
 mod other_camera;
 pub mod palette;
 mod picture;
 mod pixels;
 mod request;
-mod reveal;
 mod screen;
 mod shot;
 mod timed_pipeline;
-mod words;
 mod world;
+
+/// Words in the pictures: labels and their layout, captions, the legend.
+mod words {
+    pub(super) mod author_labels;
+    pub(super) mod caption_strip;
+    pub(super) mod coverage_grid;
+    pub(super) mod label_layout;
+    pub(super) mod label_names;
+    pub(super) mod label_obstacles;
+    pub(super) mod labels;
+    pub(super) mod legend;
+    pub(super) mod note_place;
+    pub(super) mod values;
+}
+
+/// Picking, hovering and dragging in the pictures.
+mod interact {
+    pub mod handles;
+    pub(super) mod hits;
+    pub(super) mod hover;
+    pub mod named_points;
+    pub mod pick;
+    pub mod transform_gizmo;
+}
+
+/// The inner work of the pipeline in the pictures: probes, stages, triangles, texels.
+mod reveal {
+    pub(super) mod operation_path;
+    pub(super) mod probe;
+    pub(super) mod revealed_scene;
+    pub(super) mod stage_overlay;
+    pub(super) mod texel;
+    pub(super) mod triangle_overlay;
+}
 
 use std::sync::Arc;
 
@@ -41,8 +71,8 @@ pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_firs
 pub use compared::{Side, overlay};
 pub use image::depth;
 pub use image::light_view::{ShadowAt, shadows_at};
-pub use interact::cameras::camera_at;
 pub use interact::handles;
+pub use interact::hits::camera_at;
 pub use interact::hover::{
     Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, Projector, ShadowTruth, TransformGizmo, Transforming,
     TriangleOverlay,
@@ -50,8 +80,8 @@ pub use interact::hover::{
 pub use interact::named_points;
 pub use interact::pick;
 pub use interact::transform_gizmo;
+pub use observer::ObserverOf;
 use observer::Viewpoint;
-pub use observer_of::ObserverOf;
 pub use other_camera::OtherCamera;
 pub use palette::Palette;
 pub use picture::{MAX_PICTURES, Picture, observer_in};

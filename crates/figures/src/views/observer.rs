@@ -2,12 +2,12 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::camera::Basis;
+use crate::camera::{Basis, Camera};
 use crate::figure::Observer;
 use crate::figure::observer::half_tangents;
 use crate::geometry::Aabb;
 
-use super::Size;
+use super::{Request, SharedScene, Shot, Size};
 
 /// The share of the picture's width and height that [`enclosing`] leaves free on each side, and its minimum in pixels
 /// at scale 1. A label has space there. In a small picture with large letters it's no more than `MOST_MARGIN`.
@@ -142,6 +142,25 @@ pub(super) fn holds(observer: &Observer, points: &[DVec3], size: Size) -> bool {
         let depth = observer.distance - if observer.parallel { 0.0 } else { back.dot(d) };
         right.dot(d).abs() <= tangents.x * depth && up.dot(d).abs() <= tangents.y * depth
     })
+}
+
+/// A figure whose observers serve others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObserverOf {
+    /// The content of its pictures.
+    pub shot: Shot,
+    /// The camera of that figure.
+    pub camera: Camera,
+    /// The scene of that figure.
+    pub scene: SharedScene,
+}
+
+impl ObserverOf {
+    /// The observer of its picture of the kind and the size of another one; `None` for an image.
+    pub fn observer(&self, like: &Request) -> Option<Observer> {
+        let own = Request::new(&self.shot, like.view, &self.camera, &self.scene, like.labels, like.size);
+        own.seen_from()
+    }
 }
 
 #[cfg(test)]

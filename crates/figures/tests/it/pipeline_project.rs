@@ -129,7 +129,7 @@ fn colours_are_those_of_the_world() {
 fn lines_end_in_the_faces_too() {
     let camera = eye(Projection::Perspective);
     let points = [DVec3::new(0.0, 0.0, 3.0), DVec3::new(0.0, 0.0, -3.0), DVec3::new(0.0, 0.0, -30.0)];
-    let scene = Scene { lines: vec![Line { points: points.to_vec(), style: STROKE }], ..Scene::default() };
+    let scene = Scene { lines: vec![Line::new(points.to_vec(), STROKE)], ..Scene::default() };
     let clipped = clipped_scene(&scene, &camera, Shading::Flat);
     assert_eq!(clipped.lines.len(), 1);
     // −z_n at d = 3 is 2 · 6/24 − 1.

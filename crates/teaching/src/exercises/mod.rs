@@ -12,7 +12,6 @@ mod exercise;
 pub mod families;
 mod follows;
 mod judge;
-mod mistakes;
 pub mod notes;
 mod operated;
 pub mod own;
@@ -27,6 +26,14 @@ mod subject;
 mod textbook;
 mod value;
 mod worked;
+
+/// The known mistakes, the questions in which they can occur, and the diagnosis of wrong answers.
+mod mistakes {
+    pub(super) mod diagnose;
+    pub(super) mod mistake;
+    pub(super) mod nature;
+    pub(super) mod slip;
+}
 
 use std::borrow::Cow;
 use std::sync::Arc;

@@ -1,6 +1,5 @@
 //! Cameras of answers, by the names of the notes.
 
-use crate::Lang;
 use crate::camera::{ParameterKey, Parameters, Projection, ViewWindow};
 use crate::figure::FigureError;
 use crate::figure::error::Problem;

@@ -5,7 +5,7 @@ use super::{exercises, lessons};
 use crate::exercises::{Ask, Exercise, Judged, Why};
 use crate::lessons::lesson_of;
 use crate::sanitize::escaped;
-use crate::{Lang, told};
+use crate::told;
 
 texts!("learn/exercise_messages");
 

@@ -1,7 +1,6 @@
 //! A sheet of exercises to hand out, as Markdown or LaTeX.
 
 use super::{exercise_messages, exercises};
-use crate::Lang;
 use crate::exercises::{Ask, Exercise, Expected, Kind, Worked};
 use crate::explain::{Line, Notation, Style};
 use crate::formula;

@@ -12,7 +12,7 @@ use crate::numbers::{DecimalMark, exact_form};
 use crate::sanitize::escaped;
 use crate::why::notes;
 use crate::why::notes::Note;
-use crate::{Grammar, Lang, messages, told, window};
+use crate::{Grammar, messages, told, window};
 
 texts!("learn/exercises");
 

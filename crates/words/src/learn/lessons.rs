@@ -9,7 +9,7 @@ use crate::lessons::{self, Lesson, Question, Step, Task};
 use crate::numbers::significant;
 use crate::sanitize::escaped;
 pub use crate::told;
-use crate::{Lang, told_mut};
+use crate::told_mut;
 
 texts!("learn/lessons");
 

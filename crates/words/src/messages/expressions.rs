@@ -1,6 +1,5 @@
 //! The reasons why an expression isn't a number, in both languages.
 
-use crate::Lang;
 use crate::expression::{self, ExpressionError, ExpressionProblem};
 use crate::sanitize::escaped;
 

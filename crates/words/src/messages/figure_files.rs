@@ -4,7 +4,6 @@ use super::cameras::camera;
 use super::expressions::in_expression;
 use super::scene_errors::scene_wording;
 use super::toml_complaints;
-use crate::Lang;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
 use crate::formula::{FormulaError, FormulaProblem};

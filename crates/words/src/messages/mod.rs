@@ -7,9 +7,29 @@ pub(super) mod figure_files;
 pub(super) mod files;
 pub(super) mod meshes;
 pub(super) mod scene_errors;
-pub mod toml_complaints;
 pub(super) mod unreadable;
-pub(super) mod wording;
+
+/// Complaints of the TOML parser. In English these are the beginnings of its own words.
+pub mod toml_complaints {
+    texts!("messages/toml_complaints");
+}
+
+/// The wording of one error or warning in one language.
+pub(super) mod wording {
+    /// The wording of an error or a warning. Both forms come from one place, so that they agree.
+    pub(crate) struct Wording {
+        /// For files and options, with the keys, the value found, and the values allowed.
+        pub(crate) full: String,
+        /// In the notes' symbols, as in the window's fields. The value found is in the field.
+        pub(crate) in_symbols: String,
+    }
+
+    impl Wording {
+        pub(crate) fn new(full: impl Into<String>, in_symbols: impl Into<String>) -> Self {
+            Self { full: full.into(), in_symbols: in_symbols.into() }
+        }
+    }
+}
 
 pub use crate::messages::cameras::{camera, inspect, no_way_back, operation, warning};
 pub use crate::messages::expressions::{at_most_characters, expression, not_whole, outside};

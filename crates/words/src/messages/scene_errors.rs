@@ -3,10 +3,10 @@
 use super::meshes::mesh;
 use super::unreadable::read_problem;
 use super::wording::Wording;
+use crate::Grammar;
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MIN_SEGMENTS};
 use crate::sanitize::escaped;
 use crate::scene::{MeshError, SceneError, chain_text};
-use crate::{Grammar, Lang};
 
 texts!("messages/scene_errors");
 

@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::io;
 
-use crate::Lang;
 use crate::limits::MAX_SCENE_BYTES;
 use crate::scene::{NamedBy, ReadError, ReadProblem, is_loop, system_kind};
 

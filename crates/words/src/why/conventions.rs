@@ -1,7 +1,7 @@
 //! The words of conventions: the NDC, rows or columns, left or right hand.
 
 use crate::camera::{Axes, InfiniteParallel, Ndc, Toward, WorldUp};
-use crate::{Lang, pictures};
+use crate::pictures;
 
 texts!("why/conventions");
 

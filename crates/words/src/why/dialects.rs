@@ -7,7 +7,7 @@ use crate::camera::{
 use crate::explain::vocabulary::{CameraNumber, Limitation, Vocabulary};
 use crate::sanitize::escaped;
 use crate::why::conventions::camera_axes;
-use crate::{Grammar, Lang, messages};
+use crate::{Grammar, messages};
 
 texts!("why/dialects");
 

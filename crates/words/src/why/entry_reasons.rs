@@ -1,6 +1,5 @@
 //! The reason for each entry of M_v and M_p, in one sentence.
 
-use crate::Lang;
 use crate::camera::{Ndc, Projection};
 use crate::explain::{Matrix, Setting};
 

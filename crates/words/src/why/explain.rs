@@ -1,6 +1,5 @@
 //! The side of explanations.
 
-use crate::Lang;
 use crate::camera::Decomposition;
 use crate::explain::{Axis, Component, Matrix, MatrixFormula, Symbol};
 use crate::numbers::significant;

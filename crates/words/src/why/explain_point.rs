@@ -1,6 +1,5 @@
 //! The tab that follows a point.
 
-use crate::Lang;
 use crate::numbers::significant;
 use crate::sanitize::escaped;
 use crate::views::{ShadowAt, TexelAt};

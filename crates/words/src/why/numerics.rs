@@ -1,10 +1,10 @@
 //! The words of the studies: titles, parameters, cases, methods, units.
 
+use crate::Grammar;
 use crate::numbers::significant;
 use crate::numerics::charts::Words;
 use crate::numerics::overhead::{Cost, Price};
 use crate::numerics::{Findings, Row, Study, Unit};
-use crate::{Grammar, Lang};
 
 texts!("why/numerics");
 

@@ -1,6 +1,5 @@
 //! The explanation of the order of transforms.
 
-use crate::Lang;
 use crate::explain::order::{Call, Reading, Unbalanced};
 use crate::numbers::DecimalMark;
 

@@ -1,6 +1,5 @@
 //! The camera of a photograph: its arithmetic, its errors, and the numbers that it can't give.
 
-use crate::Lang;
 use crate::camera::{AxisVanishing, PhotographCamera, PhotographError, Untold};
 use crate::messages::camera as camera_error;
 use crate::sanitize::escaped;

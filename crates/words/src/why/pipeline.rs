@@ -1,7 +1,6 @@
 //! The stages of the pipeline, and the reason why each runs or is skipped.
 
 pub use super::reasons::{planes, reason};
-use crate::Lang;
 use crate::numbers;
 use crate::pipeline::{Containment, FacesDone, ObjectReport, Reason, Stage, StageReport};
 use crate::stage::Operations;

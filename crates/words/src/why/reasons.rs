@@ -1,6 +1,5 @@
 //! The reasons why stages run, and why they are skipped.
 
-use crate::Lang;
 use crate::pipeline::{PlaneSet, Reason};
 
 texts!("why/reasons");

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use crate::Lang;
 use crate::camera::{Camera, ImageSize};
 use crate::views::{Arrangement, View};
 

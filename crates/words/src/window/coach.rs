@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use super::scenes::preset_object;
-use crate::Lang;
 use crate::appearance::DepthFormat;
 use crate::camera::{Camera, CameraError, Ndc, Projection};
 use crate::messages::cameras::warning_wording;

@@ -1,6 +1,5 @@
 //! Long work, and work over budget.
 
-use crate::Lang;
 use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
 use crate::pipeline::MisplacedVertex;
 use crate::pipeline::budget::{OverBudget, names};

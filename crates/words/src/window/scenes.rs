@@ -1,6 +1,5 @@
 //! The words of the scene: its tree, its objects and lights.
 
-use crate::Lang;
 use crate::scene::{LightKind, LostFeature, Preset, Shape};
 
 texts!("window/scenes");

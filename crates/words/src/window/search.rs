@@ -1,8 +1,6 @@
 //! The words of the search for anything in the window, and the comparison of words: without accents and capitals, and
 //! with the other names of the field.
 
-use crate::Lang;
-
 texts!("window/search");
 
 /// Groups of names for one thing, without accents: those of the notes, of other books and of libraries, in both

@@ -2,8 +2,6 @@
 
 use std::time::Duration;
 
-use crate::Lang;
-
 texts!("window/sessions");
 
 texts_with_values! {

@@ -17,14 +17,14 @@ pub struct NdcRange {
 }
 
 /// z_n at F and at B; the names with y_n up and down; points against it if the camera looks along −z, and along z.
-struct Depths([i8; 2], [&'static str; 2], [f64; 2]);
+struct RangeRow([i8; 2], [&'static str; 2], [f64; 2]);
 
 /// The likelier first.
-const DEPTHS: [Depths; 4] = [
-    Depths([-1, 1], ["opengl", "opengl-y-down"], [0.0, 1.5]),
-    Depths([0, 1], ["direct3d", "vulkan"], [1.5, 0.0]),
-    Depths([1, 0], ["direct3d-reversed", "vulkan-reversed"], [2.0, 1.0]),
-    Depths([1, -1], ["opengl-exchanged", "opengl-exchanged-y-down"], [3.0, 3.0]),
+const DEPTHS: [RangeRow; 4] = [
+    RangeRow([-1, 1], ["opengl", "opengl-y-down"], [0.0, 1.5]),
+    RangeRow([0, 1], ["direct3d", "vulkan"], [1.5, 0.0]),
+    RangeRow([1, 0], ["direct3d-reversed", "vulkan-reversed"], [2.0, 1.0]),
+    RangeRow([1, -1], ["opengl-exchanged", "opengl-exchanged-y-down"], [3.0, 3.0]),
 ];
 
 impl NdcRange {
@@ -34,7 +34,7 @@ impl NdcRange {
         DEPTHS.iter().flat_map(move |row| [range(row.0, false), range(row.0, true)])
     }
 
-    fn row(self) -> &'static Depths {
+    fn row(self) -> &'static RangeRow {
         DEPTHS.iter().find(|row| row.0 == [self.at_near, self.at_far]).unwrap_or(&DEPTHS[0])
     }
 

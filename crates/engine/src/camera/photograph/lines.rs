@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use super::{AxisVanishing, Frame, PhotographError};
+use super::{AxisVanishing, PhotographError, PixelFrame};
 
 crate::listed! {
     /// An axis of the world.
@@ -51,7 +51,7 @@ pub(super) struct Located {
 }
 
 impl Located {
-    pub(super) fn reported(&self, frame: &Frame) -> AxisVanishing {
+    pub(super) fn reported(&self, frame: &PixelFrame) -> AxisVanishing {
         let pixel = (!self.is_ideal()).then(|| frame.pixel(self.point.truncate() / self.point.z));
         AxisVanishing { axis: self.axis, pixel, spread: self.spread }
     }

@@ -137,7 +137,7 @@ pub fn camera_of_photograph(
     image: ImageSize,
     given: &Parameters,
 ) -> Result<PhotographCamera, PhotographError> {
-    let (frame, given) = (Frame::new(image), &in_perspective(given));
+    let (frame, given) = (PixelFrame::new(image), &in_perspective(given));
     let solved = solve(marks, &frame, given, SURE)?;
     let mut untold = Vec::new();
     if solved.focal_length.is_none() {
@@ -175,13 +175,13 @@ fn in_perspective(given: &Parameters) -> Parameters {
 }
 
 /// Pixels → centred coordinates, y up, in half diagonals of the image, so that squares neither grow nor vanish.
-struct Frame {
+struct PixelFrame {
     middle: DVec2,
     scale: f64,
     height: f64,
 }
 
-impl Frame {
+impl PixelFrame {
     fn new(image: ImageSize) -> Self {
         let size = DVec2::new(f64::from(image.width), f64::from(image.height));
         Self { middle: size / 2.0, scale: size.length() / 2.0, height: size.y }
@@ -218,7 +218,12 @@ struct Solved {
 }
 
 /// Directions count as different if the sine of their angle is `sure` times its error for one pixel.
-fn solve(marks: &PhotographMarks, frame: &Frame, given: &Parameters, sure: f64) -> Result<Solved, PhotographError> {
+fn solve(
+    marks: &PhotographMarks,
+    frame: &PixelFrame,
+    given: &Parameters,
+    sure: f64,
+) -> Result<Solved, PhotographError> {
     let located = vanishing(&marks.lines, |pixel| frame.centred(pixel), 1.0 / frame.scale)?;
     let focal_length = focal_length(&located)?;
     let used = focal_length.unwrap_or_else(|| frame.focal_length(given.view_angle));
@@ -230,7 +235,7 @@ fn solve(marks: &PhotographMarks, frame: &Frame, given: &Parameters, sure: f64) 
 /// C in the world.
 fn place(
     marks: &PhotographMarks,
-    frame: &Frame,
+    frame: &PixelFrame,
     solved: &Solved,
     given: &Parameters,
     untold: &mut Vec<Untold>,
@@ -258,7 +263,7 @@ fn place(
 }
 
 /// Through the vanishing points of x and z: the points at infinity of y = 0.
-fn horizon(solved: &Solved, frame: &Frame) -> Option<[DVec2; 2]> {
+fn horizon(solved: &Solved, frame: &PixelFrame) -> Option<[DVec2; 2]> {
     let f = solved.used_focal_length;
     let [x, z] = [0, 2].map(|axis| {
         let d = solved.axes.col(axis);
@@ -277,7 +282,7 @@ fn horizon(solved: &Solved, frame: &Frame) -> Option<[DVec2; 2]> {
 
 /// The changes of θ and of the direction of **n**, degrees, for one pixel in each coordinate of each end: the root of
 /// the sum of squares of differences.
-fn costs(marks: &PhotographMarks, frame: &Frame, solved: &Solved, given: &Parameters) -> [f64; 2] {
+fn costs(marks: &PhotographMarks, frame: &PixelFrame, solved: &Solved, given: &Parameters) -> [f64; 2] {
     let mut sums = [0.0; 2];
     for line in 0..marks.lines.len() {
         for end in 0..2 {

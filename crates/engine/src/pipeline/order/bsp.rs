@@ -44,7 +44,7 @@ pub(crate) fn by_splitting(
     progress.begin(Activity::Ordering, 0);
     let (set, sides) = pieces(layers);
     let mut tree =
-        Tree { layers, projector, tolerance: tolerance(&set), budget, cuts: Cuts::new(sides), ordered: Vec::new() };
+        BspTree { layers, projector, tolerance: tolerance(&set), budget, cuts: Cuts::new(sides), ordered: Vec::new() };
     tree.order(set, progress)?;
     let mut painter = Painter::new(layers, image);
     for piece in &tree.ordered {
@@ -90,7 +90,7 @@ fn bytes(corners: usize) -> usize {
     40 + corners * 64
 }
 
-struct Tree<'a> {
+struct BspTree<'a> {
     layers: &'a [Layer],
     projector: &'a Projector,
     tolerance: f64,
@@ -113,7 +113,7 @@ impl Task {
     }
 }
 
-impl Tree<'_> {
+impl BspTree<'_> {
     /// Puts all pieces in order. `tasks` wait in a list, the next at the end, so that a tree of one long branch can't
     /// exhaust the stack.
     fn order(&mut self, set: Vec<Piece>, progress: &Progress) -> Result<(), TooManyPieces> {

@@ -52,7 +52,7 @@ pub fn stroke_runs(drawing: &Drawing) -> Result<Vec<Run>, OverBudget> {
 }
 
 pub(crate) fn runs_within(drawing: &Drawing, steps: &mut WorkBudget) -> Result<Vec<Run>, OverBudget> {
-    let faces = Occluders::new(drawing, steps)?;
+    let faces = HidingFaces::new(drawing, steps)?;
     let mut runs = Vec::new();
     for (set, strokes) in drawing.strokes.iter().enumerate() {
         for polyline in 0..strokes.polylines.len() {
@@ -98,7 +98,7 @@ pub(crate) const KEPT: usize = 64;
 /// # Errors
 /// [`OverBudget::Strokes`].
 pub fn occlusions(drawing: &Drawing, places: impl IntoIterator<Item = [f32; 3]>) -> Result<Vec<Occlusion>, OverBudget> {
-    let faces = Occluders::new(drawing, &mut WorkBudget::default())?;
+    let faces = HidingFaces::new(drawing, &mut WorkBudget::default())?;
     Ok(places.into_iter().map(|place| faces.before(place.map(f64::from))).collect())
 }
 
@@ -114,7 +114,7 @@ const SHORTEST: f64 = 0.02;
 /// Calls `found` for each run of a polyline. Its set and its index are left to the caller.
 fn split(
     points: &[[f32; 3]],
-    faces: Option<&Occluders>,
+    faces: Option<&HidingFaces>,
     steps: &mut WorkBudget,
     mut found: impl FnMut(Run),
 ) -> Result<(), OverBudget> {
@@ -194,12 +194,12 @@ impl Segment {
 }
 
 /// The faces in front of which a stroke may be hidden or dimmed.
-struct Occluders {
+struct HidingFaces {
     opaque: Faces,
     tints: Faces,
 }
 
-impl Occluders {
+impl HidingFaces {
     fn new(drawing: &Drawing, steps: &mut WorkBudget) -> Result<Self, OverBudget> {
         // A surface that leaves no depth hides nothing, as in a depth buffer.
         let hiding = drawing.surfaces.iter().filter(|s| s.depth_test && !s.translucent);
@@ -221,7 +221,7 @@ impl Occluders {
 }
 
 /// A triangle of the picture.
-struct Face {
+struct HidingFace {
     /// Its edges as lines a·x + b·y + c, positive inside.
     edges: [[f64; 3]; 3],
     /// Depth = dx·x + dy·y + c.
@@ -230,7 +230,7 @@ struct Face {
 
 /// Faces that are compared with strokes, by the squares of the picture that they touch.
 struct Faces {
-    faces: Vec<Face>,
+    faces: Vec<HidingFace>,
     columns: usize,
     rows: usize,
     squares: Vec<Vec<u32>>,
@@ -284,7 +284,7 @@ impl Faces {
             }
         }
         let edges = [edge(a, b), edge(b, c), edge(c, a)];
-        self.faces.push(Face { edges, depth: [dx, dy, a[2] - dx * a[0] - dy * a[1]] });
+        self.faces.push(HidingFace { edges, depth: [dx, dy, a[2] - dx * a[0] - dy * a[1]] });
         Ok(())
     }
 
@@ -366,7 +366,7 @@ fn squares(from: f64, to: f64, count: usize) -> Range<usize> {
 /// Distance of a face's border outside the face, in pixels (negative: outside).
 const BORDER: f64 = -1e-6;
 
-impl Face {
+impl HidingFace {
     /// The part of a segment that lies behind the face; `None` if no part does.
     fn hides(&self, segment: &Segment) -> Option<Range<f64>> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -416,7 +416,6 @@ mod tests {
 
     fn drawing(points: &[[f32; 3]], hidden: HiddenLines) -> Drawing {
         let style = LineStyle { color: Rgba::rgb(0, 0, 0), width: 1.0, dash: Dash::Solid, hidden, arrow: false };
-        let end = u32::try_from(points.len()).unwrap_or(0);
         Drawing {
             width: 100,
             height: 70,
@@ -425,7 +424,7 @@ mod tests {
             painted_in_order: false,
             depth_format: Default::default(),
             surfaces: vec![Surface::solid(WALL.to_vec(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(200, 200, 200))],
-            strokes: vec![StrokeSet { points: points.to_vec(), polylines: std::iter::once(0..end).collect(), style }],
+            strokes: vec![StrokeSet::line(points.to_vec(), style)],
             areas: Vec::new(),
             marks: Vec::new(),
             labels: Vec::new(),

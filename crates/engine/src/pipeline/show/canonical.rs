@@ -156,6 +156,7 @@ fn clipped_line(line: &Line, projector: &Projector) -> Vec<Line> {
             None => pieces.push(Line {
                 points: vec![displayed(projector, a), displayed(projector, b)],
                 style: LineStyle { arrow, ..line.style },
+                role: line.role,
             }),
         }
         joined = !cut;
@@ -198,8 +199,8 @@ fn clipped_object(
         projected;
     // An object with edges or an outline has them along its cuts too. A wireframe shows only edges.
     let border = object.edges.or(object.outline).filter(|_| shading != Shading::Wireframe && object.faces);
-    let cuts = border
-        .map_or_else(Vec::new, |style| borders.into_iter().map(|ends| Line { points: ends.to_vec(), style }).collect());
+    let cuts =
+        border.map_or_else(Vec::new, |style| borders.into_iter().map(|ends| Line::new(ends.to_vec(), style)).collect());
     let (closed, convex) = (whole && object.mesh.closed, whole && object.mesh.convex);
     let clipped = Object {
         mesh: Arc::new(Mesh {

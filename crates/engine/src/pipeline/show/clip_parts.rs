@@ -283,7 +283,7 @@ impl Polylines {
     fn add(&mut self, [a, b]: [DVec3; 2], end: bool) {
         match self.lines.last_mut().filter(|line| line.points.last() == Some(&a)) {
             Some(line) => line.points.push(b),
-            None => self.lines.push(Line { points: vec![a, b], style: self.style }),
+            None => self.lines.push(Line::new(vec![a, b], self.style)),
         }
         if let Some(line) = self.lines.last_mut() {
             line.style.arrow = end && self.style.arrow;

@@ -63,7 +63,7 @@ pub fn divided_first(scene: &Scene, camera: &Camera, reach: f64) -> DividedFirst
 
 /// A corner of a polygon after the divide.
 #[derive(Clone, Copy)]
-struct Corner {
+struct DividedCorner {
     shown: DVec3,
     /// Its share of each corner of the triangle, or of the ends of the segment, that it came from.
     weights: [f64; 3],
@@ -86,10 +86,10 @@ impl Divide {
     }
 
     /// The part of a triangle, or of a segment, in the cube.
-    fn inside(&self, polygon: &[ClipPoint]) -> Vec<Corner> {
+    fn inside(&self, polygon: &[ClipPoint]) -> Vec<DividedCorner> {
         let whole = polygon.iter().zip(OWN_WEIGHTS);
-        let shown: Option<Vec<Corner>> =
-            whole.map(|(p, weights)| Some(Corner { shown: self.display(*p)?, weights })).collect();
+        let shown: Option<Vec<DividedCorner>> =
+            whole.map(|(p, weights)| Some(DividedCorner { shown: self.display(*p)?, weights })).collect();
         let mut rest = shown.unwrap_or_default();
         for axis in 0..3 {
             for sign in [1.0, -1.0] {
@@ -121,8 +121,8 @@ impl Divide {
         let edges = mesh.edges.iter().copied().filter(|edge| !behind(&edge[..])).collect();
         let outlined = mesh.adjacency.edges.iter().copied().filter(|edge| !behind(&edge.ends)).collect();
         let mut wrong = Rebuilt::new(mesh);
-        let vertices = |wrong: &mut Rebuilt, of: [u32; 3], corners: &[Corner]| -> Vec<u32> {
-            let index = |corner: &Corner| wrong.vertex(VertexOrigin::on(of, corner.weights), || corner.shown);
+        let vertices = |wrong: &mut Rebuilt, of: [u32; 3], corners: &[DividedCorner]| -> Vec<u32> {
+            let index = |corner: &DividedCorner| wrong.vertex(VertexOrigin::on(of, corner.weights), || corner.shown);
             corners.iter().map(index).collect()
         };
         for (face, triangle) in (0_u32..).zip(&mesh.triangles).filter(|(_, triangle)| behind(&triangle[..])) {
@@ -168,14 +168,14 @@ impl Divide {
 }
 
 /// The part of a convex polygon, or of a segment, where `distance` isn't negative.
-fn half(polygon: &[Corner], distance: impl Fn(DVec3) -> f64) -> Vec<Corner> {
+fn half(polygon: &[DividedCorner], distance: impl Fn(DVec3) -> f64) -> Vec<DividedCorner> {
     let mut kept = Vec::new();
     let keep = |origin| {
         kept.push(match origin {
             Origin::Corner(i) => polygon[i],
             Origin::Edge(edge) => {
                 let (inside, outside) = (&polygon[edge.inside], &polygon[edge.outside]);
-                Corner {
+                DividedCorner {
                     shown: inside.shown * edge.shares[0] + outside.shown * edge.shares[1],
                     weights: std::array::from_fn(|i| edge.mean(inside.weights[i], outside.weights[i])),
                 }

@@ -15,7 +15,7 @@ use super::clip::Clipper;
 use super::vertex::{clip_from_view, clip_from_world, divide, unsnapped, viewport};
 use super::vertices::{OnImage, Snap, Vertices, Wanted};
 use crate::appearance::{HiddenLines, LineStyle, Rgba, Shading, Style};
-use crate::drawing::{Label, Mark, StrokeSet};
+use crate::drawing::{Label, Mark, Role, StrokeSet};
 use crate::pipeline::Target;
 use crate::pipeline::mesh::outline::outline;
 use crate::pipeline::mesh::{CHUNK, each};
@@ -61,6 +61,8 @@ pub(crate) struct Strokes<'a> {
     fine: f32,
     background: Rgba,
     clipper: Clipper,
+    /// The role of the next strokes.
+    role: Role,
     pub(crate) sets: Vec<StrokeSet>,
     /// Number of requested edges, polylines of outlines, lines, marks and texts.
     pub(crate) asked: usize,
@@ -75,6 +77,7 @@ impl<'a> Strokes<'a> {
             fine: target.scale * fineness,
             background: target.background,
             clipper: Clipper::default(),
+            role: Role::Content,
             sets: Vec::new(),
             asked: 0,
         }
@@ -185,6 +188,7 @@ impl<'a> Strokes<'a> {
         let projector = self.projector;
         self.asked += scenes.line_count();
         for (i, line) in scenes.lines().enumerate() {
+            self.role = line.role;
             let scale = if i < scenes.own_line_count() { self.fine } else { self.scale };
             self.polyline(
                 line.points.iter().map(|&p| projector.view(WorldPoint(p))),
@@ -192,6 +196,7 @@ impl<'a> Strokes<'a> {
                 scale,
             );
         }
+        self.role = Role::Content;
     }
 
     /// Number of strokes.
@@ -221,6 +226,7 @@ impl<'a> Strokes<'a> {
                 name: text.name.clone(),
                 offset: text.offset.map(|c| c * self.scale),
                 fade_if_hidden: text.fade_if_hidden,
+                role: text.role,
                 ..Label::new(
                     self.inside(text.position)?,
                     &*text.text,
@@ -257,10 +263,11 @@ impl<'a> Strokes<'a> {
         set.polylines.push(range(start, set.points.len()));
     }
 
-    /// The set for the next strokes of this style: the last one if it has the style, else a new one.
+    /// The set for the next strokes of this style: the last one if it has the style and the role, else a new one.
     fn set(&mut self, style: LineStyle) -> &mut StrokeSet {
-        if self.sets.last().is_none_or(|set| set.style != style) {
-            self.sets.push(StrokeSet { points: Vec::new(), polylines: Vec::new(), style });
+        let role = self.role;
+        if self.sets.last().is_none_or(|set| set.style != style || set.role != role) {
+            self.sets.push(StrokeSet { points: Vec::new(), polylines: Vec::new(), style, role });
         }
         let last = self.sets.len() - 1;
         &mut self.sets[last]

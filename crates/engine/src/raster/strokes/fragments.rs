@@ -14,7 +14,7 @@ use crate::raster::pixel::{LANES, Pixel, over, scale};
 pub(super) struct Fragments {
     width: usize,
     rows: usize,
-    layers: Vec<Layer>,
+    layers: Vec<FragmentLayer>,
     fragments: Vec<Fragment>,
     /// The fragment of each pixel that came last, counted from 1. 0 if there is none.
     last: Vec<u32>,
@@ -25,7 +25,7 @@ pub(super) struct Fragments {
 
 /// A set of pieces painted in one way.
 #[derive(Clone, Copy, Debug)]
-struct Layer {
+struct FragmentLayer {
     color: Pixel,
     rank: Rank,
 }
@@ -63,7 +63,7 @@ impl Fragments {
 
     /// Begins a layer.
     pub(super) fn begin(&mut self, color: Pixel, rank: Rank) {
-        self.layers.push(Layer { color, rank });
+        self.layers.push(FragmentLayer { color, rank });
     }
 
     /// Adds the layer's fragment in a pixel, one of eight that were [touched](Self::touch): its share, the depth there,
@@ -130,7 +130,7 @@ impl Fragments {
 /// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front. Each goes below those
 /// that it's behind. ("Of the same depth" isn't an order, because it means within bounds, so each is compared with one
 /// after the other.)
-fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
+fn sort(fragments: &mut [Fragment], layers: &[FragmentLayer]) {
     for k in 1..fragments.len() {
         let mut at = k;
         while at > 0 && is_behind(&fragments[at], &fragments[at - 1], layers) {
@@ -141,7 +141,7 @@ fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
 }
 
 /// True if a fragment is behind one that came before it in the drawing.
-fn is_behind(later: &Fragment, earlier: &Fragment, layers: &[Layer]) -> bool {
+fn is_behind(later: &Fragment, earlier: &Fragment, layers: &[FragmentLayer]) -> bool {
     let point = |&Fragment { layer, depth, reach, .. }: &Fragment| {
         let Rank { visible, width } = layers[layer as usize].rank;
         StrokePoint { depth, reach, visible, width }

@@ -327,9 +327,7 @@ mod tests {
         let (mut together, mut alone) = (Pieces::default(), Pieces::default());
         together.fit(bands, 1);
         alone.fit(bands, 1);
-        let points = ends.concat();
-        let polylines = (0..8).map(|k| 2 * k..2 * k + 2).collect();
-        Lines::default().cut(&StrokeSet { points, polylines, style }, 0..8, None, &mut together);
+        Lines::default().cut(&StrokeSet::pairs(&ends, style), 0..8, None, &mut together);
         for ends in ends {
             Lines::default().cut_one(style, &ends, None, &mut alone);
         }

@@ -44,15 +44,15 @@ const BAND_ROWS: (usize, usize) = (8, 64);
 /// Draws strokes. Keeps its buffers from one picture to the next.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Strokes {
-    chunks: Vec<Chunk>,
-    layers: Vec<Layer>,
+    chunks: Vec<PolylineChunk>,
+    layers: Vec<StrokeLayer>,
     /// One for each thread.
     coverages: Vec<Coverage>,
 }
 
 /// Some polylines of a set.
 #[derive(Clone, Debug, Default)]
-struct Chunk {
+struct PolylineChunk {
     set: usize,
     polylines: Range<usize>,
     lines: Lines,
@@ -61,7 +61,7 @@ struct Chunk {
 
 /// The parts of a set that are painted in one way.
 #[derive(Clone, Debug)]
-struct Layer {
+struct StrokeLayer {
     chunks: Range<usize>,
     behind: Occlusion,
     style: LineStyle,
@@ -71,9 +71,9 @@ struct Layer {
 
 /// State shared by all bands.
 #[derive(Clone, Copy)]
-struct SharedByBands<'a> {
-    chunks: &'a [Chunk],
-    layers: &'a [Layer],
+struct StrokeBands<'a> {
+    chunks: &'a [PolylineChunk],
+    layers: &'a [StrokeLayer],
     bands: Bands,
 }
 
@@ -96,7 +96,7 @@ impl Strokes {
         let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
         let rows_log = (BAND_PIXELS / width).clamp(BAND_ROWS.0, BAND_ROWS.1).ilog2();
         let bands = Bands { width, height, rows_log };
-        let cut = |chunk: &mut Chunk| chunk.cut(&sets[chunk.set], faces, bands, progress);
+        let cut = |chunk: &mut PolylineChunk| chunk.cut(&sets[chunk.set], faces, bands, progress);
         let chunks = &mut self.chunks[..used];
         if threads > 1 {
             chunks.par_iter_mut().for_each(cut);
@@ -110,7 +110,7 @@ impl Strokes {
             }
         }
 
-        let shared = SharedByBands { chunks, layers: &self.layers, bands };
+        let shared = StrokeBands { chunks, layers: &self.layers, bands };
         self.coverages.resize_with(self.coverages.len().max(threads), Coverage::default);
         let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
         let jobs = pixels.chunks_mut(width << rows_log).enumerate();
@@ -126,7 +126,7 @@ impl Strokes {
         for (index, set) in sets.iter().enumerate() {
             let first = used;
             for start in (0..set.polylines.len()).step_by(size) {
-                self.chunks.resize_with(self.chunks.len().max(used + 1), Chunk::default);
+                self.chunks.resize_with(self.chunks.len().max(used + 1), PolylineChunk::default);
                 let chunk = &mut self.chunks[used];
                 (chunk.set, chunk.polylines) = (index, start..set.polylines.len().min(start + size));
                 used += 1;
@@ -137,7 +137,7 @@ impl Strokes {
                 let rank = (!on_top).then_some(rank);
                 // A stroke shown although hidden is never found to be behind anything.
                 if let Some(style) = set.style.behind(behind).filter(|_| !on_top || behind == Occlusion::None) {
-                    self.layers.push(Layer { chunks: first..used, behind, style, rank });
+                    self.layers.push(StrokeLayer { chunks: first..used, behind, style, rank });
                 }
             }
         }
@@ -145,7 +145,7 @@ impl Strokes {
     }
 }
 
-impl Chunk {
+impl PolylineChunk {
     /// Finds the visible, the dimmed and the hidden pieces of the chunk's polylines.
     fn cut(&mut self, set: &StrokeSet, faces: Occluders, bands: Bands, progress: &Progress) {
         let faces = (set.style.hidden != HiddenLines::Shown && !faces.is_empty()).then_some(faces);
@@ -156,7 +156,7 @@ impl Chunk {
     }
 }
 
-impl<'a> SharedByBands<'a> {
+impl<'a> StrokeBands<'a> {
     fn paint(self, coverage: &mut Coverage, band: usize, pixels: &mut [[u8; 4]]) {
         coverage.fit(self.bands.width, self.bands.rows(band));
         with_vectors!(simd => self.paint_with(simd, coverage, band, pixels));
@@ -189,17 +189,17 @@ impl<'a> SharedByBands<'a> {
     }
 
     /// True if a layer has pieces in a band.
-    fn is_in(self, layer: &Layer, band: usize) -> bool {
+    fn is_in(self, layer: &StrokeLayer, band: usize) -> bool {
         self.bins(layer, band).any(|bin| !bin.is_empty())
     }
 
-    fn bins(self, layer: &Layer, band: usize) -> impl Iterator<Item = &'a Bin> {
+    fn bins(self, layer: &StrokeLayer, band: usize) -> impl Iterator<Item = &'a Bin> {
         let behind = layer.behind;
         self.chunks[layer.chunks.clone()].iter().filter_map(move |chunk| chunk.pieces.bin(behind, band))
     }
 
     #[inline(always)]
-    fn cover<K: Simd>(self, simd: K, coverage: &mut Coverage, layer: &Layer, band: usize) {
+    fn cover<K: Simd>(self, simd: K, coverage: &mut Coverage, layer: &StrokeLayer, band: usize) {
         let radius = 0.5 * layer.style.width;
         for bin in self.bins(layer, band) {
             let mut done = 0;

@@ -23,7 +23,7 @@ const CHUNK: usize = 8192;
 /// in order, all triangles are treated as the opaque ones here. Kept between pictures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bins {
-    chunks: Vec<Chunk>,
+    chunks: Vec<Stretch>,
     used: usize,
     /// Triangles that may own a sample.
     pub(super) kept: usize,
@@ -36,29 +36,29 @@ pub(super) struct Bins {
 #[derive(Clone, Debug, Default)]
 struct Runs {
     triangles: Vec<u32>,
-    columns: Columns,
+    columns: ColumnSpan,
     /// The surface of some that follow one another, and the end of these in the list.
     surfaces: Vec<(usize, usize)>,
 }
 
 /// The triangles of a stretch that touch a band.
 #[derive(Clone, Debug, Default)]
-struct Bin {
+struct TriangleBin {
     triangles: Vec<u32>,
-    columns: Columns,
+    columns: ColumnSpan,
 }
 
 /// The columns that triangles touch: the first, and the one after the last.
 #[derive(Clone, Copy, Debug)]
-struct Columns([i32; 2]);
+struct ColumnSpan([i32; 2]);
 
-impl Default for Columns {
+impl Default for ColumnSpan {
     fn default() -> Self {
         Self([i32::MAX, 0])
     }
 }
 
-impl Columns {
+impl ColumnSpan {
     fn and(self, Self([first, end]): Self) -> Self {
         Self([self.0[0].min(first), self.0[1].max(end)])
     }
@@ -66,11 +66,11 @@ impl Columns {
 
 /// A stretch of the triangles of one surface.
 #[derive(Clone, Debug, Default)]
-struct Chunk {
+struct Stretch {
     surface: usize,
     first: u32,
     end: u32,
-    bands: Vec<Bin>,
+    bands: Vec<TriangleBin>,
     /// Number of triangles that touch any.
     kept: usize,
 }
@@ -82,7 +82,7 @@ struct Translucent {
     depth: f32,
     surface: usize,
     triangle: u32,
-    columns: Columns,
+    columns: ColumnSpan,
     first_band: usize,
     last_band: usize,
 }
@@ -96,7 +96,7 @@ impl Bins {
         for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| listed(s)) {
             for first in (0..s.triangles.len()).step_by(CHUNK) {
                 if self.used == self.chunks.len() {
-                    self.chunks.push(Chunk::default());
+                    self.chunks.push(Stretch::default());
                 }
                 let chunk = &mut self.chunks[self.used];
                 (chunk.surface, chunk.first) = (surface, number(first));
@@ -104,7 +104,7 @@ impl Bins {
                 self.used += 1;
             }
         }
-        let fill = |chunk: &mut Chunk| chunk.fill(&drawing.surfaces[chunk.surface], many, size, height, bands);
+        let fill = |chunk: &mut Stretch| chunk.fill(&drawing.surfaces[chunk.surface], many, size, height, bands);
         let chunks = &mut self.chunks[..self.used];
         if chunks.len() > 1 && rayon::current_num_threads() > 1 {
             chunks.par_iter_mut().for_each(fill);
@@ -143,7 +143,7 @@ impl Bins {
         self.runs.resize_with(bands, Runs::default);
         for runs in &mut self.runs {
             runs.triangles.clear();
-            runs.columns = Columns::default();
+            runs.columns = ColumnSpan::default();
             runs.surfaces.clear();
         }
         for t in &self.translucent {
@@ -162,7 +162,7 @@ impl Bins {
     /// The columns that the triangles of a band touch.
     pub(super) fn columns(&self, band: usize) -> Range<usize> {
         let opaque = self.chunks[..self.used].iter().map(|chunk| chunk.bands[band].columns);
-        let Columns([first, end]) = opaque.fold(self.runs[band].columns, Columns::and);
+        let ColumnSpan([first, end]) = opaque.fold(self.runs[band].columns, ColumnSpan::and);
         let [first, end] = [first.min(end), end].map(|column| usize::try_from(column).unwrap_or_default());
         first..end
     }
@@ -182,12 +182,12 @@ impl Bins {
     }
 }
 
-impl Chunk {
+impl Stretch {
     fn fill(&mut self, surface: &Surface, many: bool, size: Size, height: usize, bands: usize) {
-        self.bands.resize_with(bands, Bin::default);
+        self.bands.resize_with(bands, TriangleBin::default);
         for bin in &mut self.bands {
             bin.triangles.clear();
-            bin.columns = Columns::default();
+            bin.columns = ColumnSpan::default();
         }
         // Heights of bands are powers of two.
         let shift = height.trailing_zeros();
@@ -211,7 +211,7 @@ fn boxes(
     range: Range<usize>,
     many: bool,
     size: Size,
-    mut found: impl FnMut(u32, Range<i32>, Columns),
+    mut found: impl FnMut(u32, Range<i32>, ColumnSpan),
 ) {
     let triangles = surface.triangles.get(range.clone()).unwrap_or_default();
     for (first, triangles) in (range.start..).step_by(BATCH).zip(triangles.chunks(BATCH)) {
@@ -219,7 +219,7 @@ fn boxes(
         for (l, [top, bottom, left, right]) in
             boxes.into_iter().enumerate().filter(|(_, [top, bottom, ..])| top < bottom)
         {
-            found(number(first + l), top..bottom, Columns([left, right]));
+            found(number(first + l), top..bottom, ColumnSpan([left, right]));
         }
     }
 }

@@ -113,7 +113,8 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
             // Its edge functions fit in 32 bits, so it's scanned tile by tile over its box.
             let columns = batch.left[l]..batch.right[l];
             let origin = [set_up.origin[0][l], set_up.origin[1][l]];
-            let painter = Painter::<K, S, C::Simple>::new(simd, origin, depths.of(l), band, surface, colors.of(l));
+            let painter =
+                TrianglePainter::<K, S, C::Simple>::new(simd, origin, depths.of(l), band, surface, colors.of(l));
             painter.small(band, columns, rows, &set_up.edges_of(l));
         } else {
             // It's large, a sliver, or has colours that perspective bends. Painted on its own, in 64 bits, row by row.
@@ -126,7 +127,7 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
             }
             if let Some(shader) = C::alone(simd, surface, &triangle, triangles[l], corners) {
                 let z = triangle.plane([z[0][l], z[1][l], z[2][l]]);
-                let painter = Painter::<K, S, C::Shader>::new(simd, triangle.origin, z, band, surface, shader);
+                let painter = TrianglePainter::<K, S, C::Shader>::new(simd, triangle.origin, z, band, surface, shader);
                 painter.wide(band, rows, &borders);
             }
         }
@@ -163,7 +164,7 @@ impl<K: Simd> Tile<K> {
 }
 
 /// State shared by all pixels of a triangle.
-struct Painter<K: Simd, const S: usize, P> {
+struct TrianglePainter<K: Simd, const S: usize, P> {
     simd: K,
     origin: [f32; 2],
     z: AffineValue,
@@ -176,7 +177,7 @@ struct Painter<K: Simd, const S: usize, P> {
     shader: P,
 }
 
-impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
+impl<K: Simd, const S: usize, P: Shader<K>> TrianglePainter<K, S, P> {
     #[inline(always)]
     fn new(simd: K, origin: [f32; 2], z: AffineValue, band: &Band, surface: &Surface, shader: P) -> Self {
         // Depth is affine, so a sample's differs from the centre's by the same everywhere.

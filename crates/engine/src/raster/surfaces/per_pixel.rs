@@ -32,7 +32,7 @@ pub(super) struct PerPixel<'a, K: Simd> {
     planes: [Planes<K>; 3],
     inverse_w: [f32x8<K>; 3],
     base: BaseColors<'a, K>,
-    light: Light<'a, K>,
+    light: LightOfEight<'a, K>,
     /// The first of the shadows. Those after it are read again at each pixel.
     shadow: Option<ShadowOn<K>>,
     /// Those that go together.
@@ -53,7 +53,7 @@ enum BaseColors<'a, K: Simd> {
 
 /// The light on eight triangles.
 #[derive(Clone)]
-enum Light<'a, K: Simd> {
+enum LightOfEight<'a, K: Simd> {
     /// It's in their colours.
     InBase,
     /// It's found at their vertices.
@@ -151,10 +151,10 @@ impl<'a, K: Simd> PerPixel<'a, K> {
             }
         };
         let light = match &surface.light {
-            SurfaceLight::InBase => Light::InBase,
-            SurfaceLight::Faces(shares) => Light::Vertices(of_faces(simd, shares, &triangles)),
-            SurfaceLight::Vertices(shares) => Light::Vertices(gather_pairs(simd, shares, &corners)),
-            SurfaceLight::PerPixel(light) => Light::Pixels {
+            SurfaceLight::InBase => LightOfEight::InBase,
+            SurfaceLight::Faces(shares) => LightOfEight::Vertices(of_faces(simd, shares, &triangles)),
+            SurfaceLight::Vertices(shares) => LightOfEight::Vertices(gather_pairs(simd, shares, &corners)),
+            SurfaceLight::PerPixel(light) => LightOfEight::Pixels {
                 normals: gather_points(simd, &light.normals, &corners),
                 positions: gather_points(simd, &light.positions, &corners),
                 lighting: &light.lighting,
@@ -176,10 +176,10 @@ impl<'a, K: Simd> PerPixel<'a, K> {
             BaseColors::Texture(textured) => BaseColors::Texture(textured.of(lane)),
         };
         let light = match &self.light {
-            Light::InBase => Light::InBase,
-            Light::Vertices(shares) => Light::Vertices(all_of(shares, lane)),
-            Light::Pixels { normals, positions, lighting } => {
-                Light::Pixels { normals: all_of(normals, lane), positions: all_of(positions, lane), lighting }
+            LightOfEight::InBase => LightOfEight::InBase,
+            LightOfEight::Vertices(shares) => LightOfEight::Vertices(all_of(shares, lane)),
+            LightOfEight::Pixels { normals, positions, lighting } => {
+                LightOfEight::Pixels { normals: all_of(normals, lane), positions: all_of(positions, lane), lighting }
             }
         };
         let shadow = match &self.shadow {
@@ -275,9 +275,9 @@ impl<'a, K: Simd> PerPixel<'a, K> {
             BaseColors::Vertices(_) | BaseColors::Texture(_) => channel(own >> 24),
         };
         let lit = match &self.light {
-            Light::InBase => own,
-            Light::Vertices(shares) => with_light(simd, self.shadowed(mix(w, shares), wanted, w), own, most),
-            Light::Pixels { normals, positions, lighting } => {
+            LightOfEight::InBase => own,
+            LightOfEight::Vertices(shares) => with_light(simd, self.shadowed(mix(w, shares), wanted, w), own, most),
+            LightOfEight::Pixels { normals, positions, lighting } => {
                 let shares = light_eight(
                     simd,
                     lighting,

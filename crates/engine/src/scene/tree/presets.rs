@@ -266,11 +266,11 @@ fn rays_of_exercise_51(scene: &mut Scene, colors: &SceneColors) {
     let p = c + u + v;
     let style = |color, dash, arrow| LineStyle { color, width: 2.0, dash, hidden: HiddenLines::OfStyle, arrow };
     let way = LineStyle { width: 1.25, ..style(colors.ink, Dash::Dotted, false) };
-    scene.lines.push(Line { points: vec![c, c + u, p, c + v, c], style: way });
+    scene.lines.push(Line::new(vec![c, c + u, p, c + v, c], way));
     let parallel = p - c;
-    scene.lines.push(Line { points: vec![p, parallel], style: style(BLUE, Dash::Solid, true) });
+    scene.lines.push(Line::new(vec![p, parallel], style(BLUE, Dash::Solid, true)));
     let perspective = c + 2.2 * (p - c);
-    scene.lines.push(Line { points: vec![c, perspective], style: style(VERMILION, Dash::Dashed, true) });
+    scene.lines.push(Line::new(vec![c, perspective], style(VERMILION, Dash::Dashed, true)));
     scene.texts.extend([(parallel, BLUE), (perspective, VERMILION)].map(|(end, color)| point_name(end, "D_R", color)));
 }
 

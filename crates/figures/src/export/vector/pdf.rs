@@ -37,7 +37,7 @@ pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>>
     let first = pages.first()?;
     let mut writer = Writer {
         operators: Content::new(),
-        ink: Ink::default(),
+        ink: PenState::default(),
         letters,
         glyphs: Face::ALL.map(Glyphs::of),
         opacities: Vec::new(),
@@ -240,7 +240,7 @@ fn write_picture(pdf: &mut Pdf, pixels: &Pixmap, [itself, mask]: [Ref; 2]) -> Op
 /// The part of the graphics state that has been set since the last save or restore. Most neighbours on a page share
 /// it, and writing it once for all of them halves the page.
 #[derive(Default)]
-struct Ink {
+struct PenState {
     color: Option<[u8; 3]>,
     opacity: Option<u8>,
     /// Width, round ends and joins, dashes and their phase.
@@ -250,7 +250,7 @@ struct Ink {
 /// The operators of a page.
 struct Writer<'a> {
     operators: Content,
-    ink: Ink,
+    ink: PenState,
     letters: Letters,
     /// By [`Face`].
     glyphs: [Glyphs; 4],
@@ -266,7 +266,7 @@ struct Writer<'a> {
 impl<'a> Writer<'a> {
     /// The operators of a page. Fonts and pictures are collected over all pages.
     fn page(&mut self, page: &'a Page) -> Vec<u8> {
-        (self.operators, self.ink) = (Content::new(), Ink::default());
+        (self.operators, self.ink) = (Content::new(), PenState::default());
         self.operators.begin_marked_content_with_properties(Name(b"Figure")).properties().identify(0);
         self.operators.save_state();
         // From here on y points down, and the unit is that of the page.
@@ -285,7 +285,7 @@ impl<'a> Writer<'a> {
             return known;
         }
         let outside = std::mem::replace(&mut self.operators, Content::new());
-        self.ink = Ink::default();
+        self.ink = PenState::default();
         self.items(items);
         let content = std::mem::replace(&mut self.operators, outside).finish().into_vec();
         self.forms.push(Form { items: place, clip, content });
@@ -311,7 +311,7 @@ impl<'a> Writer<'a> {
                     self.items(items);
                 }
                 self.operators.restore_state();
-                self.ink = Ink::default();
+                self.ink = PenState::default();
             }
             Item::Fill { path, color } => {
                 self.color(*color);
@@ -348,7 +348,7 @@ impl<'a> Writer<'a> {
                 // A picture fills the square from (0, 0) to (1, 1), its first row at the top.
                 self.operators.transform([*width, 0.0, 0.0, -height, *x, y + height]);
                 self.operators.x_object(Name(name.as_bytes())).restore_state();
-                self.ink = Ink::default();
+                self.ink = PenState::default();
             }
         }
     }

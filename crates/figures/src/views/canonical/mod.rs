@@ -10,6 +10,7 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines};
 use crate::camera::Basis;
+use crate::drawing::Role;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
 use crate::pipeline::canonical::displayed_ndc;
@@ -122,7 +123,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let scenes = light_view::shadowed(scenes, request, &lights);
     let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
-    settled(drawn, request, revealed.rows, &["x_n", "y_n", "z_n"], palette)
+    settled(drawn, request, revealed.rows, palette)
 }
 
 /// The displayed place of a point of the world, or the nearest place of the volume.
@@ -132,8 +133,10 @@ pub(super) fn shown(request: &Request, canonical: &CanonicalBox, p: DVec3) -> Op
 }
 
 fn axes(builder: &mut AnnotationBuilder, canonical: &CanonicalBox, palette: Palette) {
-    for ((axis, name), color) in canonical.axes().into_iter().zip(["x_n", "y_n", "z_n"]).zip(palette.axes) {
-        builder.vector(DVec3::ZERO, axis * AXIS, color, 1.8, name);
+    for ((axis, (k, name)), color) in
+        canonical.axes().into_iter().zip((0..).zip(["x_n", "y_n", "z_n"])).zip(palette.axes)
+    {
+        builder.axis(k, DVec3::ZERO, axis * AXIS, (color, 1.8), name);
     }
 }
 
@@ -156,6 +159,7 @@ fn cube(builder: &mut AnnotationBuilder, canonical: &CanonicalBox, labels: &Labe
     }
     for (p, text) in corner_names(builder.screen, canonical) {
         let toward = outwards(builder.screen, p);
+        builder.role = Role::Aside;
         builder.named(&corner_name(p), p, &text, toward, SMALL_TYPE - 1.0, palette.soft);
     }
 }
@@ -172,21 +176,12 @@ pub(super) fn box_between(builder: &mut AnnotationBuilder, near: [DVec3; 4], far
     builder.closed(&near, palette.ink, 2.0, Dash::Solid);
 }
 
-/// Places the texts of a picture of the volume around its legend. `first` lists the names of its axes.
-pub(super) fn settled(
-    mut drawn: Frame,
-    request: &Request,
-    rows: Vec<LegendRow>,
-    first: &[&str],
-    palette: Palette,
-) -> Frame {
+/// Places the texts of a picture of the volume around its legend.
+pub(super) fn settled(mut drawn: Frame, request: &Request, rows: Vec<LegendRow>, palette: Palette) -> Frame {
     let target = request.size.target(palette.paper);
     let legend = revealed_scene::legend(request, rows, PixelRect::whole(request.size), target.scale, palette);
     let rules = Rules {
-        background: &[],
         reserved: revealed_scene::room(legend.as_ref()),
-        first,
-        beside: Some(palette.soft),
         leader: Some((palette.soft, 0.8 * request.size.scale)),
         author: Some(Author::of(request, palette)),
     };

@@ -196,14 +196,15 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let scenes = Scenes::new(&scene, &builder.gear).with_fineness(screen.fineness(request, place));
     let scenes = light_view::shadowed(scenes, request, &lights);
     let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style, |_, _| {});
-    Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))
+    Some(canonical::settled(drawn, request, way.said(request, palette), palette))
 }
 
 fn axes(builder: &mut AnnotationBuilder, way: &Way, reach: f64, palette: Palette) {
     let z = way.z_axis();
-    for ((axis, name), color) in [DVec3::X, DVec3::Y, DVec3::Z * z].into_iter().zip(["x", "y", "z"]).zip(palette.axes) {
+    let axes = [(0, DVec3::X, "x"), (1, DVec3::Y, "y"), (2, DVec3::Z * z, "z")];
+    for ((k, axis, name), color) in axes.into_iter().zip(palette.axes) {
         if axis.length() > 0.1 {
-            builder.vector(DVec3::ZERO, axis * reach, color, 1.8, name);
+            builder.axis(k, DVec3::ZERO, axis * reach, (color, 1.8), name);
         }
     }
 }

@@ -3,17 +3,16 @@
 pub mod depth;
 pub(super) mod light_view;
 pub(super) mod offscreen_arrows;
-pub(super) mod partial_paint;
-mod photograph;
 mod single_precision;
 pub(super) mod vanishing;
 
 use std::cell::Cell;
+use std::sync::Arc;
 
 use glam::DVec2;
 
-use crate::appearance::{HiddenLines, LineStyle, Rgba, Style, Visibility};
-use crate::drawing::{Drawing, StrokeSet, Surface};
+use crate::appearance::{Filter, HiddenLines, LineStyle, Rgba, Sampler, Style, Visibility};
+use crate::drawing::{Base, Drawing, StrokeSet, Surface};
 use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
@@ -28,7 +27,7 @@ use crate::views::words::author_labels;
 use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
 use crate::views::words::label_obstacles::Box2;
-use crate::views::words::legend::{LegendRow, LegendText};
+use crate::views::words::legend::{Legend, LegendRow, LegendText};
 use crate::views::world::gizmos::AnnotationBuilder;
 
 /// The camera and the pixels that its window fills.
@@ -64,111 +63,263 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
 
 /// Draws the image of a request. `linear` is the heading of distances.
 fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Frame {
-    let style = &request.shot.look.style;
-    let palette = Palette::of(style.theme);
-    let greys = Greys::of(request);
-    let paper = if greys.is_some() { palette.nothing } else { palette.paper };
-    let style = match (greys, request.shot.look.reveal.divide_first) {
-        (Some(_), _) => depth::style(style),
-        // The wrong part is drawn by itself, and only a depth buffer combines both.
-        (None, true) => Style { visibility: Visibility::DepthBuffer, ..*style },
-        (None, false) => *style,
-    };
-    let (whole, screen) = (request.size.target(paper), screen(request));
-    let rect = frame(request);
-    let target = Target { width: rect.width, height: rect.height, ..whole };
-    let (mut revealed, wrong) = revealed_scene::in_image(request, palette);
-    let mut scene = std::mem::take(&mut revealed.scene);
-    if greys.is_some() {
-        depth::only(scene.to_mut());
-    }
-    let mut builder = AnnotationBuilder::new(&screen);
-    revealed.mark(&mut builder, palette);
-    probe::in_image(&mut builder, request, palette);
-    triangle_overlay::in_image(&mut builder, request, palette);
-    revealed.rows.extend(operation_path::in_image(&mut builder, request, palette));
-    let lights = light_view::lights(request, &scene);
-    let scenes = Scenes::new(&scene, &builder.gear)
-        .with_fineness(screen.fineness(request, |p| screen.place(p)))
-        .in_shadows_of(&request.scene)
-        .lit_by(&lights);
-    let marks = Cell::new(false);
-    let repaint = |drawing: &mut Drawing, scale: DepthScale| {
-        marks.set(!drawing.marks.is_empty());
-        if let Some(greys) = greys {
-            greys.paint(drawing, scale);
-        }
-    };
-    let mut drawn = pipeline.frame(request, scenes, &request.camera, target, &style, repaint);
-    for drawing in std::iter::once(&mut drawn.drawing).chain(&mut drawn.before) {
-        drawing.depth_format = style.depth_format;
-    }
-    // If nothing is behind the eye, dividing first makes no difference, and clipping worked as usual.
-    let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
-    if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {
-        drawn.say(Stage::Clip, Reason::DividedFirst);
-        let plain = request.clone().with_shot(|shot| shot.show.stage = None);
-        let mut more = TimedPipeline::default().frame(&plain, &wrong, &front, target, &style, |_, _| {}).drawing;
+    let mut image = Image::of_scene(request, linear, pipeline);
+    LAYERS.iter().for_each(|add| add(&mut image));
+    image.drawn
+}
+
+/// A part of the picture, added to it.
+type Layer = fn(&mut Image<'_>);
+
+/// The layers over the scene and its gear, in their visible order. The legend has the rows of those before it.
+const LAYERS: [Layer; 12] = [
+    |image| image.add_divided_first(),
+    |image| image.remove_texts_of_bare(),
+    |image| image.paint_first_triangles(),
+    |image| image.report_greys(),
+    |image| image.add_rows(),
+    |image| offscreen_arrows::in_image(&mut image.drawn.drawing, image.request, image.palette),
+    |image| image.add_vanishing(),
+    |image| image.settle_texts(),
+    |image| image.put_photograph_under(),
+    |image| image.mount(),
+    |image| triangle_overlay::pixels(&mut image.drawn.drawing, image.rect, image.request, image.palette),
+    |image| image.finish(),
+];
+
+/// The picture in the making.
+struct Image<'a> {
+    request: &'a Request,
+    /// The heading of distances.
+    linear: &'a str,
+    palette: Palette,
+    greys: Option<Greys>,
+    style: Style,
+    screen: Screen,
+    /// The part of the picture that the window fills.
+    rect: PixelRect,
+    target: Target,
+    /// What dividing before clipping makes of the scene.
+    wrong: Option<Scene>,
+    /// True if the scene has marks.
+    has_marks: bool,
+    rows: Vec<LegendRow>,
+    legend: Option<Legend>,
+    drawn: Frame,
+}
+
+impl<'a> Image<'a> {
+    /// The scene with its gear.
+    fn of_scene(request: &'a Request, linear: &'a str, pipeline: &mut TimedPipeline) -> Self {
+        let palette = Palette::of(request.shot.look.style.theme);
+        let greys = Greys::of(request);
+        let paper = if greys.is_some() { palette.nothing } else { palette.paper };
+        let style = style_of(request, greys.is_some());
+        let (rect, screen) = (frame(request), screen(request));
+        let target = Target { width: rect.width, height: rect.height, ..request.size.target(paper) };
+        let (mut revealed, wrong) = revealed_scene::in_image(request, palette);
+        let mut scene = std::mem::take(&mut revealed.scene);
         if greys.is_some() {
+            depth::only(scene.to_mut());
+        }
+        let mut builder = AnnotationBuilder::new(&screen);
+        revealed.mark(&mut builder, palette);
+        probe::in_image(&mut builder, request, palette);
+        triangle_overlay::in_image(&mut builder, request, palette);
+        revealed.rows.extend(operation_path::in_image(&mut builder, request, palette));
+        let lights = light_view::lights(request, &scene);
+        let scenes = Scenes::new(&scene, &builder.gear)
+            .with_fineness(screen.fineness(request, |p| screen.place(p)))
+            .in_shadows_of(&request.scene)
+            .lit_by(&lights);
+        let has_marks = Cell::new(false);
+        let repaint = |drawing: &mut Drawing, scale: DepthScale| {
+            has_marks.set(!drawing.marks.is_empty());
+            if let Some(greys) = greys {
+                greys.paint(drawing, scale);
+            }
+        };
+        let mut drawn = pipeline.frame(request, scenes, &request.camera, target, &style, repaint);
+        for drawing in std::iter::once(&mut drawn.drawing).chain(&mut drawn.before) {
+            drawing.depth_format = style.depth_format;
+        }
+        let (rows, has_marks) = (revealed.rows, has_marks.get());
+        Self {
+            request,
+            linear,
+            palette,
+            greys,
+            style,
+            screen,
+            rect,
+            target,
+            wrong,
+            has_marks,
+            rows,
+            legend: None,
+            drawn,
+        }
+    }
+
+    /// The part that dividing before clipping makes.
+    fn add_divided_first(&mut self) {
+        // If nothing is behind the eye, dividing first makes no difference, and clipping worked as usual.
+        let wrong = self.wrong.take().filter(|w| *w != Scene { lights: w.lights.clone(), ..Scene::default() });
+        let Some((wrong, front)) = wrong.zip(revealed_scene::front()) else { return };
+        self.drawn.say(Stage::Clip, Reason::DividedFirst);
+        let plain = self.request.clone().with_shot(|shot| shot.show.stage = None);
+        let mut pipeline = TimedPipeline::default();
+        let mut more = pipeline.frame(&plain, &wrong, &front, self.target, &self.style, |_, _| {}).drawing;
+        if self.greys.is_some() {
             // Glass has no depth.
             more.surfaces.clear();
             more.strokes.clear();
         }
-        add(&mut drawn.drawing, more);
+        add(&mut self.drawn.drawing, more);
     }
-    if request.finish.bare {
-        // The drawing below has the texts of the scene itself.
-        drawn.drawing.labels.clear();
+
+    /// The drawing below a bare one has the texts of the scene itself.
+    fn remove_texts_of_bare(&mut self) {
+        if self.request.finish.bare {
+            self.drawn.drawing.labels.clear();
+        }
     }
-    let mut rows = revealed.rows;
-    if let Some(share) = request.shot.show.painted {
-        let [count, all] = partial_paint::first(&mut drawn.drawing, share);
-        let text = format!("{count} / {all} {}", request.labels.triangles);
-        rows.push(LegendRow::Title(LegendText::new("triangles", text), palette.ink));
+
+    fn paint_first_triangles(&mut self) {
+        if let Some(share) = self.request.shot.show.painted {
+            let [count, all] = keep_first_triangles(&mut self.drawn.drawing, share);
+            let text = format!("{count} / {all} {}", self.request.labels.triangles);
+            self.rows.push(LegendRow::Title(LegendText::new("triangles", text), self.palette.ink));
+        }
     }
-    if let Some(greys) = greys {
-        Greys::report(&mut drawn, marks.get());
-        rows.extend(greys.legend(request, linear, palette));
+
+    fn report_greys(&mut self) {
+        if let Some(greys) = self.greys {
+            Greys::report(&mut self.drawn, self.has_marks);
+            self.rows.extend(greys.legend(self.request, self.linear, self.palette));
+        }
     }
-    rows.extend(light_view::rows(request, palette));
-    rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
-    offscreen_arrows::in_image(&mut drawn.drawing, request, palette);
-    if request.shot.look.reveal.vanishing {
-        rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
+
+    fn add_rows(&mut self) {
+        self.rows.extend(light_view::rows(self.request, self.palette));
+        self.rows.extend(revealed_scene::drawn_rows(&self.drawn, self.request, self.palette));
     }
-    // It doesn't cover the border.
-    let part = if request.finish.framed { rect } else { PixelRect::whole(request.size) };
-    let legend = revealed_scene::legend(request, rows, part, whole.scale, palette);
-    // The legend lies in the whole picture, while the image may only be its middle.
-    let reserved = revealed_scene::room(legend.as_ref())
-        .map(|room| Box2 { center: room.center - DVec2::new(f64::from(rect.x), f64::from(rect.y)), ..room });
-    let corner = DVec2::new(f64::from(rect.x), f64::from(rect.y));
-    author_labels::add_notes(&mut drawn.drawing, request, corner, Some(&screen));
-    let author = Some(Author { page: Some(Author::page(request, corner)), ..Author::of(request, palette) });
-    label_layout::settle(
-        &mut drawn.drawing,
-        &Rules { background: &[], reserved, first: &[], beside: None, leader: None, author },
-    );
-    if greys.is_none() {
-        photograph::under(std::iter::once(&mut drawn.drawing).chain(&mut drawn.before), request);
+
+    fn add_vanishing(&mut self) {
+        if self.request.shot.look.reveal.vanishing {
+            self.rows.extend(vanishing::in_image(&mut self.drawn.drawing, self.request, self.palette));
+        }
     }
-    if rect != PixelRect::whole(request.size) {
-        let mount = |drawing: Drawing| {
-            let mut drawing = mounted(drawing, rect, request.size, palette);
+
+    /// The texts, the author's notes and the place of the legend.
+    fn settle_texts(&mut self) {
+        let (request, rect, palette) = (self.request, self.rect, self.palette);
+        // The legend doesn't cover the border.
+        let part = if request.finish.framed { rect } else { PixelRect::whole(request.size) };
+        let rows = std::mem::take(&mut self.rows);
+        self.legend = revealed_scene::legend(request, rows, part, self.target.scale, palette);
+        // It lies in the whole picture, while the image may only be its middle.
+        let corner = DVec2::new(f64::from(rect.x), f64::from(rect.y));
+        let reserved =
+            revealed_scene::room(self.legend.as_ref()).map(|room| Box2 { center: room.center - corner, ..room });
+        author_labels::add_notes(&mut self.drawn.drawing, request, corner, Some(&self.screen));
+        let author = Some(Author { page: Some(Author::page(request, corner)), ..Author::of(request, palette) });
+        label_layout::settle(&mut self.drawn.drawing, &Rules { reserved, leader: None, author });
+    }
+
+    fn put_photograph_under(&mut self) {
+        if self.greys.is_none() {
+            let drawings = std::iter::once(&mut self.drawn.drawing).chain(&mut self.drawn.before);
+            put_photograph_under(drawings, self.request);
+        }
+    }
+
+    /// Puts the image into the middle of the picture, if it doesn't fill it.
+    fn mount(&mut self) {
+        let (request, rect, palette) = (self.request, self.rect, self.palette);
+        if rect == PixelRect::whole(request.size) {
+            return;
+        }
+        let mount = |drawing: &mut Drawing| {
+            let image = std::mem::replace(drawing, Drawing::new(0, 0, palette.surround));
+            *drawing = mounted(image, rect, request.size, palette);
             if request.finish.transparent {
                 // The sheet of paper.
                 drawing.surfaces.remove(0);
             }
-            drawing
         };
-        (drawn.drawing, drawn.before) = (mount(drawn.drawing), drawn.before.map(mount));
-        let dropped = drawn.dropped_faces.iter_mut().flat_map(|face| &mut face.positions);
+        std::iter::once(&mut self.drawn.drawing).chain(&mut self.drawn.before).for_each(mount);
+        let dropped = self.drawn.dropped_faces.iter_mut().flat_map(|face| &mut face.positions);
         dropped.for_each(|p| *p = shifted(*p, rect));
     }
-    triangle_overlay::pixels(&mut drawn.drawing, rect, request, palette);
-    light_view::mark_wrong(&mut drawn.drawing, rect, request, palette);
-    revealed_scene::explain(&mut drawn, request, legend.as_ref());
-    drawn
+
+    fn finish(&mut self) {
+        light_view::mark_wrong(&mut self.drawn.drawing, self.rect, self.request, self.palette);
+        revealed_scene::explain(&mut self.drawn, self.request, self.legend.as_ref());
+    }
+}
+
+/// The style of the scene, or of its depths as greys.
+fn style_of(request: &Request, has_greys: bool) -> Style {
+    let style = &request.shot.look.style;
+    match (has_greys, request.shot.look.reveal.divide_first) {
+        (true, _) => depth::style(style),
+        // The wrong part is drawn by itself, and only a depth buffer combines both.
+        (false, true) => Style { visibility: Visibility::DepthBuffer, ..*style },
+        (false, false) => *style,
+    }
+}
+
+/// Keeps the first share (0 … 1) of the triangles, and returns their number, and that of all. Strokes and marks are
+/// left out, because the faces that hide them may be missing.
+fn keep_first_triangles(drawing: &mut Drawing, share: f64) -> [usize; 2] {
+    let all: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
+    #[expect(clippy::cast_possible_truncation, reason = "a share of a count")]
+    let count = (all as f64 * share.clamp(0.0, 1.0)).round() as usize;
+    // Without an order, translucent faces are painted last, whatever their place in the list.
+    let mut order: Vec<usize> = (0..drawing.surfaces.len()).collect();
+    order.sort_by_key(|i| !drawing.painted_in_order && drawing.surfaces[*i].translucent);
+    let mut left = count;
+    for i in order {
+        let surface = &mut drawing.surfaces[i];
+        let kept = left.min(surface.triangles.len());
+        left -= kept;
+        surface.truncate(kept);
+    }
+    drawing.surfaces.retain(|surface| !surface.triangles.is_empty());
+    drawing.strokes.clear();
+    drawing.marks.clear();
+    [count, all]
+}
+
+/// Puts the photograph of the figure behind everything else in drawings of its image, with its opacity. Images of other
+/// cameras don't have it, because the figure's own camera took it.
+fn put_photograph_under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, request: &Request) {
+    let share = request.shot.look.photograph_opacity;
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
+    let opacity = (255.0 * share.clamp(0.0, 1.0)).round() as u8;
+    let Some(image) = request.scene.photograph.as_ref().filter(|_| opacity > 0 && request.projector.is_none()) else {
+        return;
+    };
+    for drawing in drawings {
+        let [w, h] = [drawing.width, drawing.height].map(|side| side as f32);
+        // On the back plane, the farthest place of all.
+        let corners = vec![[0.0, 0.0, 0.0], [w, 0.0, 0.0], [w, h, 0.0], [0.0, h, 0.0]];
+        let base = Base::Texture {
+            image: Arc::clone(image),
+            sampler: Sampler { filter: Filter::Trilinear, ..Sampler::PICTURE },
+            uv: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+            tint: Rgba::rgba(255, 255, 255, opacity),
+        };
+        let translucent = opacity < 255 || !image.is_opaque();
+        if translucent && !drawing.painted_in_order {
+            // Translucent surfaces come after opaque ones, and only depths keep the photograph behind.
+            drawing.surfaces.iter_mut().filter(|s| !s.translucent).for_each(|s| s.depth_test = true);
+        }
+        let triangles = vec![[0, 1, 2], [0, 2, 3]];
+        let plain = Surface::solid(corners, triangles, Rgba::rgb(255, 255, 255));
+        drawing.surfaces.insert(0, Surface { base, translucent, depth_test: translucent, ..plain });
+    }
 }
 
 /// Adds the content of another drawing in the same place, with the same depths.

@@ -31,11 +31,14 @@ pub(in crate::views) fn vanishing_point(camera: &Camera, direction: DVec3) -> Op
         .filter(|p| p.is_finite())
 }
 
-/// Draws the parallels through C in the world, each up to the view plane.
+/// Draws the parallels through C in the world, each up to the view plane, if the figure shows vanishing points.
 pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
     /// Farthest vanishing point to include, in windows from the middle of the window. A farther one would pull the eye
     /// away from the scene.
     const FARTHEST: f64 = 2.5;
+    if !request.shot.look.reveal.vanishing {
+        return;
+    }
     let camera = &request.camera;
     let size = camera.window_width().max(camera.window_height());
     for ((direction, name), color) in DIRECTIONS.into_iter().zip(palette.axes) {

@@ -166,7 +166,7 @@ pub(in crate::views) fn in_world(builder: &mut AnnotationBuilder, request: &Requ
                 (ring, named.unwrap_or(tip))
             }
         };
-        builder.gear.lines.push(Line { points, style });
+        builder.gear.lines.push(Line::new(points, style));
         if gizmo.does == Transforming::Scale {
             builder.mark_above(tip, MarkShape::Square, 4.5, color);
         }

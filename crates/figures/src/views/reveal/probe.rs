@@ -225,7 +225,7 @@ fn epipolar_line(builder: &mut AnnotationBuilder, request: &Request, palette: Pa
     let Some(Projector { ends, point }) = request.projector.flatten() else { return };
     let line = |points: [DVec3; 2], width: f32, dash: Dash| {
         let style = gizmos::stroke(palette.probe, width, dash, HiddenLines::Shown);
-        Line { points: points.to_vec(), style }
+        Line::new(points.to_vec(), style)
     };
     match point {
         None => builder.gear.lines.push(line(ends, 1.6, Dash::Solid)),

@@ -37,7 +37,7 @@ fn draw(
     let line = |builder: &mut AnnotationBuilder, points: &[DVec3], color: Rgba, width: f32, dash: Dash| {
         // Visible through anything in front of it.
         let style = stroke(color, width, dash, HiddenLines::Shown);
-        builder.gear.lines.push(Line { points: points.to_vec(), style });
+        builder.gear.lines.push(Line::new(points.to_vec(), style));
     };
     let closed = |points: Vec<DVec3>| points.iter().copied().chain(points.first().copied()).collect::<Vec<_>>();
     let whole: Option<Vec<DVec3>> = triangle.corners.iter().map(|&p| place(p)).collect();

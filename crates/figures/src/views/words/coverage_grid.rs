@@ -14,7 +14,7 @@ const OPAQUE: u8 = 110;
 /// The parts of a picture that faces cover, in square cells.
 pub(in crate::views) struct Solids {
     cell: f64,
-    grid: Grid,
+    grid: Cells,
     /// Number of covered cells above and to the left of each corner of a cell, by rows.
     sums: Vec<u32>,
 }
@@ -25,7 +25,7 @@ impl Solids {
         let cell = (f64::from(drawing.width.min(drawing.height)) / f64::from(CELLS)).max(LEAST);
         #[expect(clippy::cast_possible_truncation, reason = "a number of cells")]
         let cells = |side: u32| (f64::from(side) / cell).ceil() as usize;
-        let grid = Grid { columns: cells(drawing.width), rows: cells(drawing.height) };
+        let grid = Cells { columns: cells(drawing.width), rows: cells(drawing.height) };
         let mut covered = vec![false; grid.columns * grid.rows];
         // A picture without pixels has no cells for faces to cover.
         let surfaces = drawing.surfaces.iter().filter(|_| grid.columns * grid.rows > 0);
@@ -58,12 +58,12 @@ impl Solids {
 
 /// The cells of a picture.
 #[derive(Clone, Copy)]
-struct Grid {
+struct Cells {
     columns: usize,
     rows: usize,
 }
 
-impl Grid {
+impl Cells {
     /// The column, or the row, of a place. Places beside the picture have the nearest one.
     fn index(v: f64, count: usize) -> usize {
         #[expect(clippy::cast_possible_truncation, reason = "a cell of the image")]

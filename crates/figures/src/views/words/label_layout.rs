@@ -9,7 +9,7 @@
 use glam::DVec2;
 
 use crate::appearance::{HiddenLines, LineStyle, Rgba};
-use crate::drawing::{Anchor, Drawing, Label, StrokeSet, single};
+use crate::drawing::{Anchor, Drawing, Label, Role, StrokeSet, single};
 use crate::figure::labels::{set_text, symbols};
 use crate::figure::{LabelChange, Labels, Letters, View};
 use crate::text::{measure, x_height};
@@ -108,15 +108,8 @@ fn put(label: &mut Label, by: DVec2, page: &Box2) -> Box2 {
 
 /// The rules by which labels give way to each other.
 pub(in crate::views) struct Rules<'a> {
-    /// Lines in these colours may be covered.
-    pub(in crate::views) background: &'a [Rgba],
     /// The area that must stay free.
     pub(in crate::views) reserved: Option<Box2>,
-    /// The names of the texts that choose before all others, in this order. Of the rest, larger ones come first. Texts
-    /// that the author changed come before all of them.
-    pub(in crate::views) first: &'a [&'a str],
-    /// Texts in this colour don't stand in front of bodies.
-    pub(in crate::views) beside: Option<Rgba>,
     /// Colour and width of the lines that lead from a text to its point if there's no space beside it.
     pub(in crate::views) leader: Option<(Rgba, f32)>,
     /// The author's wishes.
@@ -139,8 +132,7 @@ pub(in crate::views) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
             if change.hidden {
                 continue;
             }
-            // The layout knows some labels by their colours, so the author's colour comes after it.
-            author.apply(LabelChange { color: None, ..change }, &mut label);
+            author.apply(change, &mut label);
             match change.by {
                 Some(by) => kept.push(taken.put(label, by, &page)),
                 None => {
@@ -153,15 +145,13 @@ pub(in crate::views) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
         }
     }
     let is_authors = |label: &Label| of_author.contains(&label.name);
-    let rank = |label: &Label| {
-        let first = rules.first.iter().position(|name| *name == label.name).unwrap_or(rules.first.len());
-        if is_authors(label) { 0 } else { 1 + first }
-    };
+    // The texts that the author changed come first, then the principal ones in their order, then larger ones.
+    let rank = |label: &Label| (!is_authors(label), label.role.min(Role::Content));
     drawing.labels.sort_by(|a, b| rank(a).cmp(&rank(b)).then(b.size.total_cmp(&a.size)));
     for mut label in std::mem::take(&mut drawing.labels) {
-        let important = rank(&label) <= rules.first.len();
+        let important = is_authors(&label) || label.role < Role::Content;
         taken.come_near(&label);
-        let beside = rules.beside == Some(label.color);
+        let beside = label.role == Role::Aside;
         let on_a_body = taken.covered(&Box2 { center: point(label.position), half: DVec2::splat(1.0) }) > 0.5;
         // The first of the cheapest.
         let (mut best, mut least) = (None, f64::INFINITY);
@@ -183,10 +173,6 @@ pub(in crate::views) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
             taken.leaders.push(leader);
         }
         kept.push(label);
-    }
-    for label in &mut kept {
-        let change = rules.author.map(|author| author.labels.change(&label.name, author.view));
-        label.color = change.and_then(|change| change.color).unwrap_or(label.color);
     }
     drawing.labels = kept;
     let leader = rules.leader.or(rules.author.map(|author| author.leader));
@@ -225,7 +211,7 @@ impl Taken {
             texts: rules.reserved.into_iter().collect(),
             leaders: Vec::new(),
             near: Vec::new(),
-            lines: lines(&drawing.strokes, rules.background),
+            lines: lines(&drawing.strokes),
             solids: Solids::of(drawing),
         }
     }
@@ -238,7 +224,7 @@ impl Taken {
         let (at, em) = (point(label.position), f64::from(label.size));
         let place = put(&mut label, by, page);
         let apart = (((place.center - at).abs() - place.half).max(DVec2::ZERO)).length();
-        let candidate = Candidate { place, at, em, dislike: 0.0, leads: apart > NEAR * em };
+        let candidate = LabelSpot { place, at, em, dislike: 0.0, leads: apart > NEAR * em };
         self.leaders.extend(candidate.leader());
         self.texts.push(place);
         label
@@ -269,12 +255,12 @@ impl Taken {
     }
 
     /// The cost of a place. Infinite if a text must not be there, or if it costs `most` or more.
-    fn cost(&self, candidate: &Candidate, most: f64) -> f64 {
+    fn cost(&self, candidate: &LabelSpot, most: f64) -> f64 {
         /// Standing entirely in front of a body. Less than standing far off with a line.
         const BEFORE_A_BODY: f64 = 9.0;
         /// Smallest distance between texts, in ems.
         const APART: f64 = 0.18;
-        let Candidate { place: b, em, .. } = *candidate;
+        let LabelSpot { place: b, em, .. } = *candidate;
         let (low, high) = (b.center - b.half, b.center + b.half);
         if most <= 0.0 || low.min_element() < 0.0 || (high - self.picture).max_element() > 0.0 {
             return f64::INFINITY;
@@ -320,7 +306,7 @@ fn leading(ends: &[[DVec2; 2]], color: Rgba, width: f32) -> StrokeSet {
 
 /// A place for a label.
 #[derive(Clone, Copy, Debug)]
-struct Candidate {
+struct LabelSpot {
     place: Box2,
     /// The label's point.
     at: DVec2,
@@ -331,7 +317,7 @@ struct Candidate {
     leads: bool,
 }
 
-impl Candidate {
+impl LabelSpot {
     /// The line from the border of the text's box towards its point, if there must be one.
     fn leader(&self) -> Option<[DVec2; 2]> {
         let offset = self.place.center - self.at;
@@ -346,7 +332,7 @@ const FARTHEST: f64 = 6.0;
 
 /// Places around a label's point and the dislike for each. Farther ones are included if a line may lead to the point,
 /// which is harder to see on a body.
-fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<Item = Candidate> + use<> {
+fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<Item = LabelSpot> + use<> {
     let half = half_size(label);
     let offset = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
     let (direction, gap) = (offset.normalize_or(DVec2::X), offset.length());
@@ -362,7 +348,7 @@ fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<It
             let dislike = angle.abs() / 90.0 + if more > 1.0 { 2.5 + more } else { 1.5 * more };
             let is_aside = angle.abs() > 80.0;
             let leads = leads || leaders && is_aside && (more > 0.0 || on_a_body);
-            Candidate { place: Box2 { center: at + d * reach, half }, at, em, dislike, leads }
+            LabelSpot { place: Box2 { center: at + d * reach, half }, at, em, dislike, leads }
         })
     })
 }
@@ -389,8 +375,7 @@ mod tests {
     use crate::drawing::Surface;
     use crate::figure::StyledLabel;
 
-    const RULES: Rules<'_> =
-        Rules { background: &[], reserved: None, first: &[], beside: None, leader: None, author: None };
+    const RULES: Rules<'_> = Rules { reserved: None, leader: None, author: None };
 
     fn label(x: f32, y: f32, text: &str) -> Label {
         Label {
@@ -442,19 +427,15 @@ mod tests {
     }
 
     #[test]
-    fn a_text_steps_off_a_strong_line_but_not_off_the_grid() {
-        let color = Rgba::rgb(10, 20, 30);
-        let style = LineStyle { color, width: 1.0, dash: Default::default(), hidden: Default::default(), arrow: false };
-        let line = StrokeSet {
-            points: vec![[0.0, 50.0, 0.5], [200.0, 50.0, 0.5]],
-            polylines: std::iter::once(0..2).collect(),
-            style,
-        };
+    fn a_text_steps_off_a_line_in_the_colour_of_the_grid_but_not_off_the_grid() {
+        let style = LineStyle::solid(Rgba::rgb(10, 20, 30), 1.0, HiddenLines::default());
+        let line = StrokeSet::line(vec![[0.0, 50.0, 0.5], [200.0, 50.0, 0.5]], style);
         let mut d = drawing(vec![label(50.0, 50.0, "PF")]);
-        d.strokes.push(line);
         let mut over_grid = d.clone();
+        over_grid.strokes.push(StrokeSet { role: Role::Ground, ..line.clone() });
+        d.strokes.push(line);
         settle(&mut d, &RULES);
-        settle(&mut over_grid, &Rules { background: &[color], ..RULES });
+        settle(&mut over_grid, &RULES);
         assert!(boxes(&d)[0].length_inside(DVec2::new(0.0, 50.0), DVec2::new(200.0, 50.0)) < 1e-6);
         assert!((boxes(&over_grid)[0].center.y - 50.0).abs() < 1e-3);
     }
@@ -470,10 +451,11 @@ mod tests {
     #[test]
     fn the_first_label_has_the_choice_and_others_get_a_leader_line() {
         let points = (0..6_u8).map(|i| label(122.0, 10.0 + 16.0 * f32::from(i), "P"));
-        let mut d = drawing(points.chain([label(170.0, 50.0, "C")]).collect());
+        let c = Label { role: Role::Center, ..label(170.0, 50.0, "C") };
+        let mut d = drawing(points.chain([c]).collect());
         d.surfaces.push(body());
         let color = Rgba::rgb(1, 2, 3);
-        settle(&mut d, &Rules { first: &["C"], leader: Some((color, 1.0)), ..RULES });
+        settle(&mut d, &Rules { leader: Some((color, 1.0)), ..RULES });
         let all = boxes(&d);
         assert_eq!(d.labels[0].text, "C");
         assert!((all[0].center.y - 50.0).abs() < 1e-3 && all[0].center.x > 170.0, "where it wishes");
@@ -492,11 +474,7 @@ mod tests {
         let color = Rgba::rgb(10, 20, 30);
         let style = LineStyle { color, width: 2.0, dash: Default::default(), hidden: Default::default(), arrow: true };
         let mut d = drawing(vec![label(50.0, 50.0, "PF")]);
-        d.strokes.push(StrokeSet {
-            points: vec![[65.0, 90.0, 0.5], [65.0, 50.0, 0.5]],
-            polylines: std::iter::once(0..2).collect(),
-            style,
-        });
+        d.strokes.push(StrokeSet::line(vec![[65.0, 90.0, 0.5], [65.0, 50.0, 0.5]], style));
         settle(&mut d, &RULES);
         assert!(marked(&d).iter().all(|head| head.overlap(&boxes(&d)[0]) < 4.0));
     }
@@ -528,11 +506,11 @@ mod tests {
             let labels = Labels { styled, ..Labels::default() };
             let leader = (soft, 1.0);
             let author = Some(Author { labels: &labels, view: View::World, leader, page: None, least: 0.0 });
-            // Crowded, over a body, and of two colours, one of which stands beside bodies.
+            // Crowded, over a body, and one of them stands beside bodies.
             let mut d = drawing(["C", "PF", "near", "far"].map(|name| label(40.0, 50.0, name)).to_vec());
-            d.labels[2].color = soft;
+            d.labels[2].role = Role::Aside;
             d.surfaces.push(body());
-            settle(&mut d, &Rules { author, beside: Some(soft), ..RULES });
+            settle(&mut d, &Rules { author, ..RULES });
             d.labels
         };
         let before = settled(Vec::new());
@@ -548,12 +526,11 @@ mod tests {
 
     #[test]
     fn a_text_beside_bodies_is_left_out_if_there_is_no_other_place() {
-        let (soft, ink) = (Rgba::rgb(120, 120, 120), Rgba::rgb(0, 0, 0));
-        let with = |color| Label { color, ..label(40.0, 50.0, "(1, 1, 1)") };
-        let mut d = drawing(vec![with(soft), with(ink)]);
+        let with = |role| Label { role, ..label(40.0, 50.0, "(1, 1, 1)") };
+        let mut d = drawing(vec![with(Role::Aside), with(Role::Content)]);
         d.surfaces.push(body());
-        settle(&mut d, &Rules { beside: Some(soft), ..RULES });
-        assert_eq!(d.labels.iter().map(|l| l.color).collect::<Vec<_>>(), [ink]);
+        settle(&mut d, &RULES);
+        assert_eq!(d.labels.iter().map(|l| l.role).collect::<Vec<_>>(), [Role::Content]);
     }
 
     #[test]

@@ -2,8 +2,7 @@
 
 use glam::DVec2;
 
-use crate::appearance::Rgba;
-use crate::drawing::{Drawing, StrokeSet, single};
+use crate::drawing::{Drawing, Role, StrokeSet, single};
 
 /// A rectangle in pixels: its middle and half its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,10 +68,10 @@ const PLAIN: f64 = 1.2;
 const STRONG: f64 = 3.0;
 
 /// The segments that a text should not cover, and the cost of covering them.
-pub(in crate::views) fn lines(strokes: &[StrokeSet], background: &[Rgba]) -> Vec<([DVec2; 2], f64)> {
+pub(in crate::views) fn lines(strokes: &[StrokeSet]) -> Vec<([DVec2; 2], f64)> {
     /// Beyond this, a picture is a mesh of edges, and no place is free of them.
     const MOST: usize = 4000;
-    let strong = strokes.iter().filter(|s| !background.contains(&s.style.color) && s.points.len() <= MOST);
+    let strong = strokes.iter().filter(|s| s.role != Role::Ground && s.points.len() <= MOST);
     strong
         .flat_map(|s| {
             let weight = if s.style.arrow { STRONG } else { PLAIN };

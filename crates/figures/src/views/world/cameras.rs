@@ -79,7 +79,7 @@ fn gear(builder: &mut AnnotationBuilder, request: &Request, other: &OtherCamera,
     builder.named(&other.label_name(), c, &sanitize::escaped(&other.name), -crowd, SMALL_TYPE, color);
     if parts.has(WorldPart::Vrc) {
         // Shorter and thinner than those of the current camera.
-        for (axis, name) in [(basis.u, "u"), (basis.v, "v"), (basis.n, "n")] {
+        for (_, axis, name) in basis.named() {
             let along = axis * (0.7 * gear.axis);
             builder.arrow(vec![c, c + along], color, 1.3, Dash::Solid);
             let label = format!("{}:{name}", other.label_name());

@@ -5,6 +5,7 @@ use glam::{DQuat, DVec2, DVec3};
 
 use crate::appearance::{Dash, MarkShape, Rgba};
 use crate::camera::{Camera, Operation};
+use crate::drawing::Role;
 use crate::geometry::Ray;
 
 use super::camera_gizmo::GizmoSizes;
@@ -80,10 +81,11 @@ fn camera_answered(
     let (c, color) = (answered.position(), palette.wrong);
     camera(builder, gear, answered, "camera of the answer", color);
     let basis = answered.basis();
-    for (axis, name) in [(basis.u, "u"), (basis.v, "v"), (basis.n, "n")] {
-        builder.vector(c, axis * gear.axis, color, 1.4, name);
+    for (k, axis, name) in basis.named() {
+        builder.axis(k, c, axis * gear.axis, (color, 1.4), name);
     }
     builder.mark(c, MarkShape::Ring, 4.0, color);
+    builder.role = Role::Aside;
     builder.named("answered", c, request.labels.answered, DVec2::new(-0.6, 0.8), SMALL_TYPE, color);
 }
 
@@ -99,19 +101,20 @@ fn camera(builder: &mut AnnotationBuilder, gear: GizmoSizes, camera: &Camera, na
 /// The axis through the pivot, and the arc in the sense of the rotation. Returns its middle.
 fn turn(builder: &mut AnnotationBuilder, palette: Palette, gear: GizmoSizes, ghost: &Ghost, axis: Ray) -> DVec3 {
     let (before, pivot) = (&ghost.before, axis.origin);
-    let [u, v, n] = palette.axes;
-    let (moved, color, name) = match ghost.operation {
-        Operation::Elevation(_) => (before.position(), u, "u"),
-        Operation::Azimuth(_) => (before.position(), v, "v"),
-        Operation::Roll(_) => (gear.view_up_tip(before), n, "n"),
-        Operation::Yaw(_) => (before.focal_point(), v, "v"),
-        Operation::Pitch(_) => (before.focal_point(), u, "u"),
+    let (moved, number) = match ghost.operation {
+        Operation::Elevation(_) => (before.position(), 0),
+        Operation::Azimuth(_) => (before.position(), 1),
+        Operation::Roll(_) => (gear.view_up_tip(before), 2),
+        Operation::Yaw(_) => (before.focal_point(), 1),
+        Operation::Pitch(_) => (before.focal_point(), 0),
         Operation::Zoom(_) | Operation::Dolly(_) | Operation::Pan { .. } => return pivot,
     };
+    let (color, name) = (palette.axes[usize::from(number)], ["u", "v", "n"][usize::from(number)]);
     let Some(angle) = ghost.operation.right_hand_angle(ghost.convention) else { return pivot };
     let reach = builder.screen.units_per_pixel(pivot) * 0.2 * builder.screen.extent.min_element();
     let tip = pivot + axis.direction * reach;
     builder.arrow(vec![pivot - axis.direction * reach, tip], color, 1.6, Dash::DashDot);
+    builder.role = Role::Axis(number);
     builder.text(tip, name, builder.screen.heading(pivot, axis.direction), TYPE, color);
     builder.mark(pivot, MarkShape::Ring, 5.0, color);
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style};
-use crate::drawing::single;
+use crate::drawing::{Role, single};
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
 use super::volume::DrawnVolume;
@@ -37,17 +37,19 @@ pub(in crate::views) struct AnnotationBuilder<'a> {
     pub(in crate::views) gear: Scene,
     pub(in crate::views) screen: &'a Screen,
     pub(in crate::views) hidden: HiddenLines,
+    /// The role of the next text.
+    pub(in crate::views) role: Role,
 }
 
 impl<'a> AnnotationBuilder<'a> {
     /// Starts without gear. Its lines are hidden like those of the scene.
     pub(in crate::views) fn new(screen: &'a Screen) -> Self {
-        Self { gear: Scene::default(), screen, hidden: HiddenLines::OfStyle }
+        Self { gear: Scene::default(), screen, hidden: HiddenLines::OfStyle, role: Role::Content }
     }
 
     pub(in crate::views) fn line(&mut self, points: Vec<DVec3>, color: Rgba, width: f32, dash: Dash) {
         let style = stroke(color, width, dash, self.hidden);
-        self.gear.lines.push(Line { points, style });
+        self.gear.lines.push(Line::new(points, style));
     }
 
     pub(in crate::views) fn closed(&mut self, points: &[DVec3], color: Rgba, width: f32, dash: Dash) {
@@ -57,7 +59,7 @@ impl<'a> AnnotationBuilder<'a> {
 
     pub(in crate::views) fn arrow(&mut self, points: Vec<DVec3>, color: Rgba, width: f32, dash: Dash) {
         let style = LineStyle { arrow: true, ..stroke(color, width, dash, self.hidden) };
-        self.gear.lines.push(Line { points, style });
+        self.gear.lines.push(Line::new(points, style));
     }
 
     /// The two strokes between which a line is left out.
@@ -118,6 +120,12 @@ impl<'a> AnnotationBuilder<'a> {
         }
     }
 
+    /// A vector on an axis, from 0, with the axis's name at its tip.
+    pub(in crate::views) fn axis(&mut self, number: u8, from: DVec3, vector: DVec3, pen: (Rgba, f32), name: &str) {
+        self.role = Role::Axis(number);
+        self.vector(from, vector, pen.0, pen.1, name);
+    }
+
     /// An arrow from `from` along `direction`, with a name at its tip.
     pub(in crate::views) fn vector(&mut self, from: DVec3, vector: DVec3, color: Rgba, width: f32, name: &str) {
         let tip = from + vector;
@@ -158,6 +166,7 @@ impl<'a> AnnotationBuilder<'a> {
             size,
             color,
             fade_if_hidden: false,
+            role: std::mem::take(&mut self.role),
         });
     }
 

@@ -20,6 +20,7 @@ use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
+use crate::drawing::Role;
 use crate::figure::WorldPart;
 use crate::pipeline::{Frame, Scenes};
 use crate::sanitize;
@@ -32,6 +33,7 @@ use crate::views::image::{light_view, vanishing};
 use crate::views::interact::{handles, hits, transform_gizmo};
 use crate::views::reveal::revealed_scene::PipelineReveal;
 use crate::views::reveal::{probe, revealed_scene, triangle_overlay};
+use crate::views::screen::Screen;
 use crate::views::words::author_labels;
 use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
@@ -49,54 +51,13 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let Some(screen) = screen_of(request, &seen_from(request), &content) else {
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style, |_, _| {});
     };
-    let mut revealed = if request.shot.look.world.section {
-        PipelineReveal::plain(Cow::default())
-    } else {
-        revealed_scene::in_world(request, palette)
-    };
-    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
-    let builder = AnnotationBuilder::new(&screen);
-    let mut world = World {
-        request,
-        palette,
-        content,
-        gear: GizmoSizes::new(&screen, &request.camera, &request.shot.look.world),
-        on_window,
-        builder,
-    };
-    if request.shot.look.world.section {
-        world.section();
-    } else {
-        world.ground();
-        world.volume();
-        world.window();
-        world.camera();
-        world.aim();
-        world.planes();
-        world.axes();
-        world.drop_lines();
-        cameras::in_world(&mut world.builder, request, palette, &world.content.others);
-        world.unnamed();
-        world.speck();
-        dimensions::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
-        components::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
-        object_parts::in_world(&mut world.builder, request, palette);
-    }
-    world.hot_handle();
-    ghost::in_world(&mut world.builder, request, palette, world.gear);
-    transform_preview::in_world(&mut world.builder, request, palette);
-    revealed.mark(&mut world.builder, palette);
-    if !request.shot.look.world.section {
-        probe::in_world(&mut world.builder, request, palette, &world.content.volume);
-        if request.shot.look.reveal.vanishing {
-            vanishing::in_world(&mut world.builder, request, palette);
-        }
-        triangle_overlay::in_world(&mut world.builder, request, palette);
-        transform_gizmo::in_world(&mut world.builder, request, palette);
-    }
-    light_view::in_world(&mut world.builder, request, palette);
+    let mut world = World::new(request, palette, content, &screen, on_window);
+    let (scene, style) = gizmos::wired(std::mem::take(&mut world.revealed.scene), style);
+    let layers: &[Layer] = if request.shot.look.world.section { &LAYERS_OF_SECTION } else { &LAYERS };
+    layers.iter().for_each(|add| add(&mut world));
+    let World { mut revealed, builder, .. } = world;
     let lights = light_view::lights(request, &scene);
-    let scenes = Scenes::new(&scene, &world.builder.gear)
+    let scenes = Scenes::new(&scene, &builder.gear)
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
         .in_shadows_of(&request.scene)
         .lit_by(&lights);
@@ -104,10 +65,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     let legend = revealed_scene::legend(request, revealed.rows, PixelRect::whole(request.size), target.scale, palette);
     let rules = Rules {
-        background: &[palette.grid],
         reserved: revealed_scene::room(legend.as_ref()),
-        first: &["C", "PF", "u", "v", "n", "VUP", "window", "far", "DOP"],
-        beside: request.shot.answered.as_ref().map(|_| palette.wrong),
         leader: Some((palette.soft, 0.8 * request.size.scale)),
         author: Some(Author::of(request, palette)),
     };
@@ -116,6 +74,51 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
 }
+
+/// A part of the picture, added to it.
+type Layer = fn(&mut World<'_>);
+
+/// The layers of the world. Of two at the same depth, the later one is over the earlier, and of two texts of the same
+/// role and size, the earlier one chooses its place first.
+const LAYERS: [Layer; 23] = [
+    |w| w.ground(),
+    |w| w.volume(),
+    |w| w.window(),
+    |w| w.camera(),
+    |w| w.aim(),
+    |w| w.planes(),
+    |w| w.axes(),
+    |w| w.drop_lines(),
+    |w| cameras::in_world(&mut w.builder, w.request, w.palette, &w.content.others),
+    // The names of all layers before.
+    |w| w.unnamed(),
+    |w| w.speck(),
+    |w| dimensions::in_world(&mut w.builder, w.request, w.palette, &w.content.volume, w.gear),
+    |w| components::in_world(&mut w.builder, w.request, w.palette, &w.content.volume, w.gear),
+    |w| object_parts::in_world(&mut w.builder, w.request, w.palette),
+    |w| w.hot_handle(),
+    |w| w.ghosts(),
+    |w| transform_preview::in_world(&mut w.builder, w.request, w.palette),
+    |w| w.revealed.mark(&mut w.builder, w.palette),
+    |w| probe::in_world(&mut w.builder, w.request, w.palette, &w.content.volume),
+    |w| vanishing::in_world(&mut w.builder, w.request, w.palette),
+    |w| triangle_overlay::in_world(&mut w.builder, w.request, w.palette),
+    |w| transform_gizmo::in_world(&mut w.builder, w.request, w.palette),
+    |w| light_view::in_world(&mut w.builder, w.request, w.palette),
+];
+
+/// Those of the section along **u**, as lines alone, without the scene.
+const LAYERS_OF_SECTION: [Layer; 9] = [
+    |w| section::draw(&mut w.builder, w.request, w.palette, &w.content),
+    |w| w.camera(),
+    |w| w.aim(),
+    |w| w.unnamed(),
+    |w| w.hot_handle(),
+    |w| w.ghosts(),
+    |w| transform_preview::in_world(&mut w.builder, w.request, w.palette),
+    |w| w.revealed.mark(&mut w.builder, w.palette),
+    |w| light_view::in_world(&mut w.builder, w.request, w.palette),
+];
 
 /// Greatest number of faces to test for hiding a corner.
 const MOST_FACES: usize = 200_000;
@@ -128,9 +131,27 @@ struct World<'a> {
     content: Content,
     gear: GizmoSizes,
     builder: AnnotationBuilder<'a>,
+    revealed: PipelineReveal<'a>,
 }
 
-impl World<'_> {
+impl<'a> World<'a> {
+    fn new(
+        request: &'a Request,
+        palette: Palette,
+        content: Content,
+        screen: &'a Screen,
+        on_window: Option<&'a Arc<Texture>>,
+    ) -> Self {
+        let look = &request.shot.look.world;
+        let revealed = if look.section {
+            PipelineReveal::plain(Cow::default())
+        } else {
+            revealed_scene::in_world(request, palette)
+        };
+        let gear = GizmoSizes::new(screen, &request.camera, look);
+        Self { request, on_window, palette, content, gear, builder: AnnotationBuilder::new(screen), revealed }
+    }
+
     fn has(&self, part: WorldPart) -> bool {
         self.request.shot.look.world.parts.has(part)
     }
@@ -142,19 +163,14 @@ impl World<'_> {
         }
     }
 
-    /// The section along **u**, as lines alone, without the scene.
-    fn section(&mut self) {
-        section::draw(&mut self.builder, self.request, self.palette, &self.content);
-        self.camera();
-        self.aim();
-        self.unnamed();
-    }
-
     /// The grid on y = 0.
     fn ground(&mut self) {
         let Some(ground) = self.content.ground().filter(|_| self.has(WorldPart::Grid)) else { return };
         let style = gizmos::stroke(self.palette.grid, 1.0, Dash::Solid, HiddenLines::Hidden);
-        self.builder.gear.lines.extend(ground.lines().iter().map(|ends| Line { points: ends.to_vec(), style }));
+        self.builder
+            .gear
+            .lines
+            .extend(ground.lines().iter().map(|ends| Line { role: Role::Ground, ..Line::new(ends.to_vec(), style) }));
     }
 
     /// The view volume, from the corners that the matrices in use give.
@@ -269,19 +285,19 @@ impl World<'_> {
             None => format!("{} (B)", labels.far),
             Some(_) => format!("{} (B = {})", labels.far, labels.mark.number(self.request.camera.far(), 4)),
         };
-        for (part, name, face, text) in [
-            (WorldPart::Window, "window", volume.window(), &window),
-            (WorldPart::Volume, "far", volume.far_face(), &far),
+        for (part, role, name, face, text) in [
+            (WorldPart::Window, Role::Window, "window", volume.window(), &window),
+            (WorldPart::Volume, Role::FarFace, "far", volume.far_face(), &far),
         ] {
             if self.has(part) {
-                self.name_face(name, &face, text);
+                self.name_face(role, name, &face, text);
             }
         }
     }
 
     /// Writes a face's name at the uppermost of its visible corners, unless the face is too small to be distinguished
     /// from a point.
-    fn name_face(&mut self, name: &str, face: &[DVec3; 4], text: &str) {
+    fn name_face(&mut self, role: Role, name: &str, face: &[DVec3; 4], text: &str) {
         let screen = self.builder.screen;
         let Some(middle) = screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };
         let in_frame = face.iter().filter_map(|p| Some((*p, screen.place_inside(*p)?)));
@@ -295,6 +311,7 @@ impl World<'_> {
         let faces: usize = self.request.scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
         let seen = |p: DVec3| faces > MOST_FACES || hits::can_be_seen(p, &self.request.scene, screen.camera());
         if let Some((corner, px)) = corners.into_iter().find(|(p, _)| seen(*p)) {
+            self.builder.role = role;
             self.builder.named(name, corner, text, px - middle, SMALL_TYPE, self.palette.ink);
         }
     }
@@ -312,16 +329,17 @@ impl World<'_> {
         let crowd = screen.heading(c, basis.u) + screen.heading(c, basis.v) + screen.heading(c, basis.n);
         let name = self.request.shot.camera_name.as_ref();
         let text = name.map_or_else(|| "C".to_owned(), |name| format!("C ({})", sanitize::escaped(name)));
+        self.builder.role = Role::Center;
         self.builder.named("C", c, &text, -crowd, TYPE, self.palette.ink);
         if self.has(WorldPart::Vrc) {
-            let [x, y, z] = self.palette.axes;
-            self.builder.vector(c, basis.u * gear.axis, x, 2.0, "u");
-            self.builder.vector(c, basis.v * gear.axis, y, 2.0, "v");
-            self.builder.vector(c, basis.n * gear.axis, z, 2.0, "n");
+            for ((k, axis, name), color) in basis.named().into_iter().zip(self.palette.axes) {
+                self.builder.axis(k, c, axis * gear.axis, (color, 2.0), name);
+            }
         }
         if self.has(WorldPart::ViewUp) {
             let tip = gear.view_up_tip(camera);
             self.builder.arrow(vec![c, tip], self.palette.view_up, 1.8, Dash::Dashed);
+            self.builder.role = Role::ViewUp;
             self.builder.text(tip, "VUP", screen.heading(c, tip - c), TYPE, self.palette.view_up);
         }
     }
@@ -348,6 +366,7 @@ impl World<'_> {
         let (c, pf) = (self.request.camera.position(), self.request.camera.focal_point());
         self.builder.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
         self.builder.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
+        self.builder.role = Role::FocalPoint;
         self.builder.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
     }
 
@@ -369,6 +388,7 @@ impl World<'_> {
         let length = (1.2 * self.gear.axis).min(0.8 * camera.distance());
         self.builder.arrow(vec![c, c + dop * length], self.palette.aim, 1.8, Dash::Solid);
         let beside = self.builder.screen.heading(c, dop).perp();
+        self.builder.role = Role::Direction;
         self.builder.text(
             c + dop * (0.7 * length),
             "DOP",
@@ -413,6 +433,11 @@ impl World<'_> {
             self.builder.line(vec![p, foot], self.palette.soft, 1.2, Dash::Dotted);
             self.builder.mark(foot, MarkShape::Ring, 3.0, self.palette.soft);
         }
+    }
+
+    /// The cameras before an operation and of an answer.
+    fn ghosts(&mut self) {
+        ghost::in_world(&mut self.builder, self.request, self.palette, self.gear);
     }
 
     /// A ring around the handle under the pointer.

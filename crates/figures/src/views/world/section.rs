@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, MarkShape};
 use crate::camera::{Camera, Projection};
+use crate::drawing::Role;
 use crate::figure::Observer;
 use crate::geometry::Aabb;
 use crate::sanitize;
@@ -171,7 +172,9 @@ fn outline(builder: &mut AnnotationBuilder, request: &Request, palette: Palette,
     builder.line(profile.sides(camera.near()).to_vec(), palette.ink, 2.4, Dash::Solid);
     builder.line(profile.sides(volume.end).to_vec(), palette.volume_edge, 1.5, Dash::Dashed);
     let (near, far) = (profile.sides(camera.near())[1], profile.sides(volume.end)[1]);
+    builder.role = Role::Window;
     builder.named("window", near, &format!("{} (F)", request.labels.window), DVec2::NEG_Y, TYPE, palette.ink);
+    builder.role = Role::FarFace;
     builder.named("far", far, &format!("{} (B)", request.labels.far), DVec2::NEG_Y, TYPE, palette.ink);
 }
 

@@ -78,7 +78,7 @@ fn axes(builder: &mut AnnotationBuilder, preview: &TransformPreview, number: usi
     for (column, name) in columns.into_iter().zip(["x", "y", "z"]) {
         let tip = origin + column.truncate();
         let style = LineStyle { color, width: 2.0, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow: true };
-        builder.gear.lines.push(Line { points: vec![origin, tip], style });
+        builder.gear.lines.push(Line::new(vec![origin, tip], style));
         let toward = builder.screen.heading(origin, column.truncate());
         builder.text(tip, &format!("{name}_{number}"), toward, SMALL_TYPE, color);
     }

@@ -14,7 +14,7 @@ use crate::numbers::random::Random;
 
 /// The numbers of the statement.
 #[derive(Clone, Copy)]
-struct Pair {
+struct StereoPair {
     view_angle: f64,
     near: f64,
     /// m and n.
@@ -28,7 +28,7 @@ struct Pair {
     columns: [f64; 2],
 }
 
-impl Pair {
+impl StereoPair {
     /// n/(2 tan(θ/2)), which is F n/H.
     fn focal_length(&self, slips: Slips) -> f64 {
         if slips.has(Slip::WindowUnits) {
@@ -90,13 +90,13 @@ impl Pair {
 }
 
 /// Numbers with which no mistake looks like another one.
-fn pair(random: &mut Random) -> Pair {
+fn pair(random: &mut Random) -> StereoPair {
     let view_angle = random.one_of(&[60.0, 40.0, 50.0, 70.0]);
     let near = random.one_of(&[0.4, 0.8, 1.5, 2.5]);
     let image = random.one_of(&[[640.0, 480.0], [1200.0, 800.0], [1280.0, 720.0], [1000.0, 800.0]]);
     let baseline = random.one_of(&[0.3, 0.12, 0.6, 0.24]);
     let [depth, meeting] = random.one_of(&[[4.0, 6.0], [3.0, 5.0], [6.0, 4.0], [5.0, 3.0], [8.0, 6.0], [10.0, 7.0]]);
-    let pair = Pair { view_angle, near, image, baseline, depth, meeting, columns: [0.0; 2] };
+    let pair = StereoPair { view_angle, near, image, baseline, depth, meeting, columns: [0.0; 2] };
     let depth_of_other = random.one_of(&[2.5, 3.5, 4.5, 7.0]);
     let disparity = (pair.product(Slips::NONE) / depth_of_other).round().max(5.0);
     // A column in the left image that isn't the disparity, half of it or twice it, and doesn't make the sum of both
@@ -109,7 +109,7 @@ fn pair(random: &mut Random) -> Pair {
             break left;
         }
     };
-    Pair { columns: [left, left - disparity], ..pair }
+    StereoPair { columns: [left, left - disparity], ..pair }
 }
 
 pub(super) fn disparity(random: &mut Random) -> Exercise {
@@ -141,7 +141,7 @@ pub(super) fn disparity(random: &mut Random) -> Exercise {
         let shifted = named("δ'", r"\delta'", pair.shifted(Slips::NONE));
         Worked::new("shifted-windows", "(5.9)").row(shifted, minus(over(product(), d), over(product(), meeting)))
     };
-    let number = |name: &str, steps: &[&Worked], value: fn(&Pair, Slips) -> f64| {
+    let number = |name: &str, steps: &[&Worked], value: fn(&StereoPair, Slips) -> f64| {
         let steps = steps.iter().copied().cloned().collect();
         Ask::computed(name, Kind::Number, steps, move |slips| Some(Table::number(value(&pair, slips))))
     };
@@ -150,11 +150,11 @@ pub(super) fn disparity(random: &mut Random) -> Exercise {
         let right = ask.expected().table().and_then(|table| table.entries.first().copied()).unwrap_or(f64::NAN);
         ask.following(&["f"], move |tables| Some(tables[0].map(|focal_length| right * focal_length / f.value)))
     };
-    let first = number("f", &[&focal_length], Pair::focal_length).of_nature(Nature::Size).in_unit(Unit::Pixels);
-    let disparity = number("disparity", &[&focal_length, &of_p], Pair::disparity);
-    let shifted = number("shifted", &[&focal_length, &moved], Pair::shifted);
-    let depth = number("depth", &[&focal_length, &of_q], Pair::depth);
-    let step = number("step", &[&focal_length, &of_q, &cost], Pair::step);
+    let first = number("f", &[&focal_length], StereoPair::focal_length).of_nature(Nature::Size).in_unit(Unit::Pixels);
+    let disparity = number("disparity", &[&focal_length, &of_p], StereoPair::disparity);
+    let shifted = number("shifted", &[&focal_length, &moved], StereoPair::shifted);
+    let depth = number("depth", &[&focal_length, &of_q], StereoPair::depth);
+    let step = number("step", &[&focal_length, &of_q, &cost], StereoPair::step);
     let asks = vec![
         first,
         of_f(disparity.of_nature(Nature::Size).in_unit(Unit::Pixels)),
@@ -174,7 +174,7 @@ const fn side(pixels: f64) -> u32 {
 }
 
 /// Both cameras, in front of small things.
-fn subject_of(pair: &Pair) -> crate::exercises::Subject {
+fn subject_of(pair: &StereoPair) -> crate::exercises::Subject {
     let left = Parameters {
         position: DVec3::new(-pair.baseline / 2.0, 1.0, pair.depth),
         focal_point: DVec3::new(-pair.baseline / 2.0, 1.0, 0.0),

@@ -171,9 +171,9 @@ pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagn
     let drawn = counter.draw(scene, camera, style, image).ok_or(NoDiagnosis::TooLarge)?;
     let covered = drawn.pixels as f64 / (f64::from(image.width) * f64::from(image.height));
     let subjects = NamedThing::all(scene);
-    let mut findings = Findings::default();
+    let mut findings = CauseGroups::default();
     if subjects.is_empty() {
-        findings.0.push(Group { cause: Cause::EmptyScene, rank: 0, members: Vec::new() });
+        findings.0.push(CauseGroup { cause: Cause::EmptyScene, rank: 0, members: Vec::new() });
     }
     let mut looked = Looked { scene, camera, style, reveal: spec.reveal, image, counter };
     let mut seen = Vec::new();
@@ -241,7 +241,7 @@ struct Member {
 }
 
 /// Subjects with the same cause.
-struct Group {
+struct CauseGroup {
     cause: Cause,
     /// The least rank of its members. 0 is the most important, 1 means that something is missing or wrong, and 2 that
     /// it comes on top of another cause, or is partly visible.
@@ -250,7 +250,7 @@ struct Group {
     members: Vec<Member>,
 }
 
-impl Group {
+impl CauseGroup {
     /// The members that have its rank.
     fn leading(&self) -> impl Iterator<Item = &Member> {
         self.members.iter().filter(|member| member.rank == self.rank)
@@ -259,9 +259,9 @@ impl Group {
 
 /// The findings so far, one group for each cause.
 #[derive(Default)]
-struct Findings(Vec<Group>);
+struct CauseGroups(Vec<CauseGroup>);
 
-impl Findings {
+impl CauseGroups {
     fn note(&mut self, cause: Cause, subject: usize, partly: bool, rank: u8) {
         let member = Member { subject, rank, partly };
         match self.0.iter_mut().find(|group| group.cause == cause) {
@@ -269,13 +269,13 @@ impl Findings {
                 group.rank = group.rank.min(rank);
                 group.members.push(member);
             }
-            None => self.0.push(Group { cause, rank, members: vec![member] }),
+            None => self.0.push(CauseGroup { cause, rank, members: vec![member] }),
         }
     }
 
     /// Everything visible is tiny. If some of it is larger than a pixel, smaller things aren't worth a word.
     fn few(&mut self, seen: &[usize]) {
-        let tiny = |group: &Group| group.cause == Cause::SmallerThanPixel;
+        let tiny = |group: &CauseGroup| group.cause == Cause::SmallerThanPixel;
         if self.0.iter().filter(|group| tiny(group)).flat_map(|group| &group.members).count() < seen.len() {
             self.0.retain(|group| !tiny(group));
             seen.iter().for_each(|&subject| self.note(Cause::FewPixels, subject, true, 0));
@@ -283,7 +283,7 @@ impl Findings {
     }
 
     /// The most useful first: those that concern the most objects, and are the first obstacle.
-    fn sorted(mut self) -> Vec<Group> {
+    fn sorted(mut self) -> Vec<CauseGroup> {
         self.0.sort_by_key(|group| (group.rank, std::cmp::Reverse(group.leading().count()), group.cause));
         self.0
     }

@@ -37,7 +37,7 @@ pub(super) struct Whereabouts {
 
 impl Whereabouts {
     pub(super) fn of(subject: &NamedThing, camera: &Camera, image: ImageSize) -> Self {
-        let lens = Lens::of(camera);
+        let lens = UnitWindow::of(camera);
         let mut place = Self {
             depth: [f64::INFINITY, f64::NEG_INFINITY],
             range: [camera.near(), camera.far()],
@@ -147,12 +147,12 @@ pub(super) fn crosses(subject: &NamedThing, camera: &Camera) -> bool {
 }
 
 /// The window on the plane z_c = −1 in perspective, at any depth in parallel projection.
-struct Lens {
+struct UnitWindow {
     window: ViewWindow,
     perspective: bool,
 }
 
-impl Lens {
+impl UnitWindow {
     fn of(camera: &Camera) -> Self {
         let perspective = camera.projection() == Projection::Perspective;
         let window = camera.window().map(|x| if perspective { x / camera.near() } else { x });

@@ -44,7 +44,7 @@ pub(in crate::numerics) struct Nearest {
 }
 
 /// A ray in view space. Its points are origin + depth · `per_depth`.
-struct Ray {
+struct DepthRay {
     origin: DVec3,
     per_depth: DVec3,
 }
@@ -127,7 +127,7 @@ impl<'a> Tiles<'a> {
     }
 
     /// The ray through a place of the image, in pixels from the top left.
-    fn ray(&self, [x, y]: [f64; 2]) -> Ray {
+    fn ray(&self, [x, y]: [f64; 2]) -> DepthRay {
         let window = self.camera.window();
         let [width, height] = [self.image.width, self.image.height].map(f64::from);
         let on_window = [window.left + x / width * window.width(), window.top - y / height * window.height()];
@@ -135,9 +135,9 @@ impl<'a> Tiles<'a> {
         match self.camera.projection() {
             Projection::Perspective => {
                 let near = self.camera.near();
-                Ray { origin: DVec3::ZERO, per_depth: DVec3::new(x / near, y / near, -1.0) }
+                DepthRay { origin: DVec3::ZERO, per_depth: DVec3::new(x / near, y / near, -1.0) }
             }
-            Projection::Parallel => Ray { origin: DVec3::new(x, y, 0.0), per_depth: DVec3::NEG_Z },
+            Projection::Parallel => DepthRay { origin: DVec3::new(x, y, 0.0), per_depth: DVec3::NEG_Z },
         }
     }
 
@@ -155,7 +155,7 @@ impl<'a> Tiles<'a> {
     }
 
     fn met(&self, place: [f64; 2]) -> impl Iterator<Item = Nearest> {
-        let Ray { origin, per_depth } = self.ray(place);
+        let DepthRay { origin, per_depth } = self.ray(place);
         let tile = tile(place[1]) * self.across + tile(place[0]);
         let range = self.camera.near()..=self.camera.far();
         let meets = move |&number: &u32| {
@@ -175,7 +175,7 @@ impl<'a> Tiles<'a> {
     /// The point of the plane of a triangle at a place of the image, in view space. Not finite if the ray runs along
     /// the plane.
     pub(in crate::numerics) fn on_plane(&self, [a, b, c]: [DVec3; 3], place: [f64; 2]) -> DVec3 {
-        let Ray { origin, per_depth } = self.ray(place);
+        let DepthRay { origin, per_depth } = self.ray(place);
         let normal = (b - a).cross(c - a);
         origin + per_depth * (normal.dot(a - origin) / normal.dot(per_depth))
     }
@@ -183,7 +183,7 @@ impl<'a> Tiles<'a> {
     /// The distance of the plane of a triangle behind a depth at a place of the image, in units of the error that the
     /// difference may have; `None` if the ray runs along the plane.
     pub(super) fn behind(&self, triangle: usize, place: [f64; 2], depth: f64) -> Option<f64> {
-        let Ray { origin, per_depth } = self.ray(place);
+        let DepthRay { origin, per_depth } = self.ray(place);
         let corners = self.triangles.get(triangle)?.corners;
         let [a, b, c] = corners;
         let normal = (b - a).cross(c - a);

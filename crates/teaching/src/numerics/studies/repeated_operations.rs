@@ -32,7 +32,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     for (i, &count) in steps.iter().enumerate() {
         let inputs = if count > 1_000 { 1 } else { lab.many(16, 2) };
         let mut random = Random::new(lab.effort.seed, 300 + i as u64);
-        let starts: Vec<Start> = (0..inputs).filter_map(|_| Start::new(&mut random, count)).collect();
+        let starts: Vec<CameraCase> = (0..inputs).filter_map(|_| CameraCase::new(&mut random, count)).collect();
         if lab.progress.is_cancelled() {
             break;
         }
@@ -80,7 +80,7 @@ const CASES: [(&str, Unit); 3] = [
 ];
 
 /// A camera, and its final position.
-struct Start {
+struct CameraCase {
     parameters: Parameters,
     camera: Camera,
     /// In degrees, of one step.
@@ -102,7 +102,7 @@ impl End {
     }
 }
 
-impl Start {
+impl CameraCase {
     fn new(random: &mut Random, steps: u32) -> Option<Self> {
         const GRID: f64 = (1u64 << 24) as f64;
         let parameters = random_camera(random, DVec3::new(1.0, -2.0, 3.0));
@@ -151,7 +151,7 @@ impl Start {
 
 /// A method that gives the final camera after a number of steps. It pauses after each [`STRETCH`] of them, and ends
 /// there if it was cancelled.
-type Turned = for<'a> fn(&'a Start, u32, &'a Progress) -> Pin<Box<dyn Future<Output = End> + 'a>>;
+type Turned = for<'a> fn(&'a CameraCase, u32, &'a Progress) -> Pin<Box<dyn Future<Output = End> + 'a>>;
 
 const METHODS: [(&str, Turned); 7] = [
     ("f32 matrix", |start, steps, progress| Box::pin(matrix::<f32, false>(start, steps, progress))),
@@ -188,21 +188,21 @@ fn stretch<S>(mut state: S, steps: u32, step: &impl Fn(S) -> S) -> S {
 }
 
 /// The basis and C − PF of a start, in the precision of `R`.
-fn frame<R: Real>(start: &Start) -> ([Vector<R>; 3], Vector<R>) {
+fn frame<R: Real>(start: &CameraCase) -> ([Vector<R>; 3], Vector<R>) {
     let basis = start.camera.basis();
     let to_viewer = start.parameters.position - start.parameters.focal_point;
     ([basis.u, basis.v, basis.n].map(Vector::of), Vector::of(to_viewer))
 }
 
 /// PF + the turned C − PF, in the precision of `R`.
-fn end<R: Real>(start: &Start, axes: &[Vector<R>; 3], to_viewer: &Vector<R>) -> End {
+fn end<R: Real>(start: &CameraCase, axes: &[Vector<R>; 3], to_viewer: &Vector<R>) -> End {
     let position = Vector::<R>::of(start.parameters.focal_point).plus(to_viewer).to_f64();
     End { axes: [axes[0].to_f64(), axes[1].to_f64(), axes[2].to_f64()], position }
 }
 
 /// The product of all rotation matrices, the last first, then applied once; Gram and Schmidt after every step if
 /// `CLEAN`.
-async fn matrix<R: Real, const CLEAN: bool>(start: &Start, steps: u32, progress: &Progress) -> End {
+async fn matrix<R: Real, const CLEAN: bool>(start: &CameraCase, steps: u32, progress: &Progress) -> End {
     let (axes, to_viewer) = frame::<R>(start);
     let step = rotation(&axes[1], start.angle);
     let zero = R::zero;
@@ -247,7 +247,7 @@ fn apply<R: Real>(rows: &[Vector<R>; 3], v: &Vector<R>) -> Vector<R> {
 }
 
 /// The product of all quaternions, made a unit quaternion after every step, then applied once.
-async fn quaternion<R: Real>(start: &Start, steps: u32, progress: &Progress) -> End {
+async fn quaternion<R: Real>(start: &CameraCase, steps: u32, progress: &Progress) -> End {
     let (axes, to_viewer) = frame::<R>(start);
     let (sine, cosine) = R::sin_cos_degrees(start.angle / 2.0);
     let step = (cosine, axes[1].times(&sine));
@@ -268,7 +268,7 @@ async fn quaternion<R: Real>(start: &Start, steps: u32, progress: &Progress) -> 
     end(start, &[turned(&axes[0]), turned(&axes[1]), turned(&axes[2])], &turned(&to_viewer))
 }
 
-async fn own(start: &Start, steps: u32, progress: &Progress) -> End {
+async fn own(start: &CameraCase, steps: u32, progress: &Progress) -> End {
     let step = Operation::Azimuth(Angle::from_degrees(start.angle));
     // A rotated camera is a camera. If one weren't, it would stay in place, and the error would show it.
     let turned = |camera: Camera| step.apply(&camera, Convention::RightHand).unwrap_or(camera);
@@ -284,7 +284,7 @@ mod tests {
     #[test]
     fn a_run_that_is_given_up_ends_after_its_first_stretch() {
         let steps = 10 * STRETCH;
-        let start = Start::new(&mut Random::new(1, 300), steps).unwrap();
+        let start = CameraCase::new(&mut Random::new(1, 300), steps).unwrap();
         let progress = Progress::default();
         progress.cancel();
         for (name, turned) in METHODS {

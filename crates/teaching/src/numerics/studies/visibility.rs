@@ -129,7 +129,7 @@ impl Setup {
         // tan(θ/2) in the reference. The centres of pixels are fractions of few digits.
         let (sine, cosine) = Reference::sin_cos_degrees(20.0);
         let half = sine / cosine;
-        let solids: Vec<Solid> = triangles.iter().map(Solid::new).collect();
+        let solids: Vec<RayTriangle> = triangles.iter().map(RayTriangle::new).collect();
         let (mut rays, mut exact) = (Vec::new(), Vec::new());
         for j in 0..SIZE[1] {
             for i in 0..SIZE[0] {
@@ -176,7 +176,7 @@ fn color(index: usize) -> Rgba {
 }
 
 /// A triangle ready for rays from the origin.
-struct Solid {
+struct RayTriangle {
     corners: [Vector<Reference>; 3],
     /// a × b, b × c, c × a. The ray is inside if its products with them are all positive or all negative.
     sides: [Vector<Reference>; 3],
@@ -184,7 +184,7 @@ struct Solid {
     sides_f64: [DVec3; 3],
 }
 
-impl Solid {
+impl RayTriangle {
     fn new(corners: &Triangle) -> Self {
         let [a, b, c] = corners.map(Vector::<Reference>::of);
         let sides = [a.cross(&b), b.cross(&c), c.cross(&a)];
@@ -210,7 +210,7 @@ impl Solid {
 }
 
 /// The triangle that a ray meets first between F and B.
-fn first(solids: &[Solid], ray: &Vector<Reference>, p: &Parameters) -> Option<usize> {
+fn first(solids: &[RayTriangle], ray: &Vector<Reference>, p: &Parameters) -> Option<usize> {
     let (near, far) = (Reference::of(p.near), Reference::of(p.far));
     let hits = solids.iter().enumerate().filter_map(|(i, solid)| Some((i, solid.hit(ray)?)));
     let hits = hits.filter(|(_, depth)| *depth >= near && *depth <= far);
@@ -275,8 +275,8 @@ mod tests {
     #[test]
     fn the_ray_meets_the_nearer_wall() {
         let wall = |z: f64, x: f64| [DVec3::new(x - 5.0, -5.0, z), DVec3::new(x + 5.0, -5.0, z), DVec3::new(x, 9.0, z)];
-        let solids: Vec<Solid> =
-            [wall(-20.0, 0.0), wall(-10.0, 0.0), wall(-5.0, 40.0)].iter().map(Solid::new).collect();
+        let solids: Vec<RayTriangle> =
+            [wall(-20.0, 0.0), wall(-10.0, 0.0), wall(-5.0, 40.0)].iter().map(RayTriangle::new).collect();
         let p = Parameters { near: 1.0, far: 100.0, ..Parameters::default() };
         let ray = Vector::of(DVec3::new(0.0, 0.0, -1.0));
         assert_eq!(first(&solids, &ray, &p), Some(1));

@@ -11,8 +11,6 @@ mod json;
 mod lines;
 pub(crate) mod numbers;
 mod paraview;
-#[cfg(feature = "import")]
-mod tree;
 mod words;
 #[cfg(feature = "import")]
 mod yaml;

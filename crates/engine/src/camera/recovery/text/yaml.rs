@@ -13,8 +13,7 @@ use serde_json::{Map, Value};
 
 use crate::camera::ImageSize;
 use crate::camera::recovery::entries::MatrixEntries;
-use crate::camera::recovery::text::json::written;
-use crate::camera::recovery::text::tree::{list, number};
+use crate::camera::recovery::text::json::{list, number, written};
 use crate::camera::recovery::text::{GivenLens, Pasted, VISION, image_size, is_intrinsics, of_rotation, rotation_of};
 use crate::camera::recovery::{Axes, MatrixKind, Order};
 

@@ -14,11 +14,7 @@ fn tested(width: f32) -> LineStyle {
 
 /// A drawing of 100 × 100 pixels with one set for each stroke.
 fn drawing(strokes: &[(&[[f32; 3]], LineStyle)]) -> Drawing {
-    let sets = strokes.iter().map(|&(points, style)| StrokeSet {
-        points: points.to_vec(),
-        polylines: std::iter::once(0..u32::try_from(points.len()).unwrap_or(0)).collect(),
-        style,
-    });
+    let sets = strokes.iter().map(|&(points, style)| StrokeSet::line(points.to_vec(), style));
     Drawing {
         width: 100,
         height: 100,

@@ -1,9 +1,0 @@
-//! Picking, hovering and dragging in the pictures.
-
-pub(super) mod cameras;
-pub mod handles;
-pub(super) mod hits;
-pub(super) mod hover;
-pub mod named_points;
-pub mod pick;
-pub mod transform_gizmo;

@@ -1,5 +1,0 @@
-//! The explanation of w.
-
-use crate::Lang;
-
-texts!("why/homogeneous");

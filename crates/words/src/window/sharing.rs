@@ -1,5 +1,0 @@
-//! Links to figures, and the differences in a page of a browser, in both languages.
-
-use crate::Lang;
-
-texts!("window/sharing");
