@@ -13,8 +13,7 @@ pub mod launch_options;
 pub mod menu;
 pub mod preferences;
 pub(super) mod presentation;
-pub(super) mod search;
-pub(super) mod search_state;
+pub mod search;
 pub mod state;
 pub mod status;
 pub(super) mod tab_order;
@@ -145,6 +144,10 @@ impl App {
 
     /// Removes from the input the first key press that calls a command, and returns the command.
     fn keyboard(&self, ctx: &egui::Context) -> Option<Command> {
+        let is_press = |event: &egui::Event| matches!(event, egui::Event::Key { pressed: true, .. });
+        if !ctx.input(|input| input.events.iter().any(is_press)) {
+            return None;
+        }
         let typing = ctx.text_edit_focused();
         // On a Mac, Option writes accents and signs.
         let writes = |keys: &KeyboardShortcut| {

@@ -1,6 +1,7 @@
 //! One search for everything in the window: commands, parameters, explanations, matrices, notes, exercises, figures.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use eframe::egui::{self, Align, Button, Key, Modifiers, RichText, Role, Ui, WidgetInfo};
 
@@ -9,7 +10,6 @@ use crate::explain::Matrix;
 use crate::figure::Explanation;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::Dialog;
-use crate::gui::app::search_state::Search;
 use crate::gui::app::state::State;
 use crate::gui::inspector::operations;
 use crate::gui::kit::{Command, Explained, TextField, number_field, theme, written};
@@ -18,7 +18,7 @@ use crate::gui::learn::exercises::list;
 use crate::gui::why;
 use crate::lessons::{OpenLesson, shipped};
 use crate::limits::MAX_TYPED_NAME;
-use camera_lab_desk::{Intent, Model, Side, Tab};
+use camera_lab_desk::{Intent, Memo, Model, Side, Tab};
 use camera_lab_files::SHIPPED_FIGURES;
 use camera_lab_words::learn::exercises as exercise_words;
 use camera_lab_words::why::{explain as explain_words, notes};
@@ -35,6 +35,17 @@ pub(in crate::gui) const WIDTH: f32 = 620.0;
 
 /// Number of results that are listed.
 const MOST: usize = 60;
+
+/// The words of the search, and its results.
+#[derive(Clone, Debug, Default)]
+pub struct Search {
+    /// The typed words.
+    pub wanted: String,
+    /// The place of the result that Enter opens.
+    pub chosen: usize,
+    /// The results by the words and the language, as long as it's open. Nothing behind it changes meanwhile.
+    results: Memo<(String, Lang), Arc<[Entry]>>,
+}
 
 /// The target of a result.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,6 +69,7 @@ enum Target {
 }
 
 /// Something that can be found.
+#[derive(Debug)]
 struct Entry {
     target: Target,
     /// The word for its kind.
@@ -182,8 +194,8 @@ fn controls(lang: Lang) -> Vec<Entry> {
 }
 
 /// The results, best first: the words begin the title, are in it, or are elsewhere, and then the same by other names.
-fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
-    let called = also_called(&search.wanted);
+fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[Entry]> {
+    let called = also_called(wanted);
     // The ways of shading are its choices.
     let shading = Target::Parameter(Tab::Drawing, window::texts(model.settings.lang).shading);
     let rank = |entry: &Entry| {
@@ -216,7 +228,9 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
     let lang = state.model.settings.lang;
     let t = words::texts(lang);
     ui.heading(t.title);
-    let results = found(&state.model, &state.learn, &state.search);
+    let State { model, learn, search, .. } = &mut *state;
+    let results = search.results.of((search.wanted.clone(), lang), |(wanted, _)| found(model, learn, wanted));
+    let results = Arc::clone(results);
     let last = results.len().saturating_sub(1);
     let before = state.search.wanted.clone();
     let (mut chosen, enter) = ui.input_mut(|input| {
@@ -339,14 +353,9 @@ mod tests {
 
     /// The first results for some words, by title.
     fn titles(lang: Lang, wanted: &str) -> Vec<String> {
-        let mut state =
-            State::new(crate::gui::Start { lang, ..crate::gui::Start::default() }).expect("nothing is opened");
-        state.search.wanted = wanted.to_owned();
-        found(&state.model, &state.learn, &state.search)
-            .into_iter()
-            .take(3)
-            .map(|entry| entry.title.into_owned())
-            .collect()
+        let start = crate::gui::Start { lang, ..crate::gui::Start::default() };
+        let state = State::new(start).expect("nothing is opened");
+        found(&state.model, &state.learn, wanted).iter().take(3).map(|entry| entry.title.clone().into_owned()).collect()
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::camera::CameraError;
 use crate::figure::Figure;
 use crate::gui::Start;
 use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
-use crate::gui::app::search_state::Search;
+use crate::gui::app::search::Search;
 use crate::gui::export::Export;
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::gallery::Gallery;

@@ -89,7 +89,8 @@ fn of_camera(ui: &mut Ui, model: &mut Model, explain: &mut Explain, camera: &Cam
         let place = if probe.is_some() { t.at_probe } else { t.at_focus };
         ui.label(format!("{}; {place} {}", t.scene_units, n(depth)));
     });
-    formats(ui, lang, &resolutions(&space, depth, explain.gap));
+    let of = (*camera.parameters(), space.ndc(), [depth, explain.gap]);
+    formats(ui, lang, explain.resolutions.of(of, |(_, _, [depth, gap])| resolutions(&space, *depth, *gap)));
     let planes = suggested_planes(camera, model.scene_cache.scene().bounds()?)?;
     let mut wanted = None;
     ui.horizontal_wrapped(|ui| {

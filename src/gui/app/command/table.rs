@@ -7,6 +7,7 @@ use crate::appearance;
 use crate::figure::Explanation;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose, TitleForm};
+use crate::gui::app::search::Search;
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::Subject;
 use crate::gui::gallery::Part;
@@ -435,7 +436,7 @@ fn show_dialog(state: &mut State, dialog: Dialog) {
 }
 
 fn show_search(state: &mut State) {
-    state.search.begin();
+    state.search = Search::default();
     show_dialog(state, Dialog::Search);
 }
 

@@ -160,7 +160,6 @@ struct SceneForm {
     t: &'static Texts,
     window: &'static window::Texts,
     lang: Lang,
-    base: SceneSpec,
     scene: SceneSpec,
     error: Option<SceneError>,
     /// A unit of length that suits the scene.
@@ -174,15 +173,14 @@ struct SceneForm {
 impl SceneForm {
     fn new(model: &Model) -> Self {
         let lang = model.settings.lang;
-        let base = model.desk.shown.figure().scene.clone();
-        let draft = model.tree.draft.as_ref().filter(|draft| draft.base == base);
+        let scene = &model.desk.shown.figure().scene;
+        let draft = model.tree.draft.as_ref().filter(|draft| draft.base == *scene);
         Self {
             t: scenes::texts(lang),
             window: window::texts(lang),
             lang,
-            scene: draft.map_or_else(|| base.clone(), |draft| draft.now.clone()),
+            scene: draft.map_or(scene, |draft| &draft.now).clone(),
             error: draft.map(|draft| draft.error.clone()),
-            base,
             step: crate::numbers::power_of_ten(model.desk.shown.camera().distance() / 10.0).unwrap_or(1.0),
             measured: Vec::new(),
             pointed: Vec::new(),
@@ -221,7 +219,8 @@ impl SceneForm {
     fn finish(self, model: &mut Model) {
         model.frame.hover.measured.extend_from_slice(&self.measured);
         model.frame.hover.pointed.extend_from_slice(&self.pointed);
-        if self.scene == self.base {
+        let base = &model.desk.shown.figure().scene;
+        if self.scene == *base {
             model.tree.draft = None;
             return;
         }
@@ -230,7 +229,7 @@ impl SceneForm {
                 model.tree.draft = None;
                 model.desk.shown.edit(|figure| figure.scene = self.scene);
             }
-            Err(error) => model.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
+            Err(error) => model.tree.draft = Some(Draft { base: base.clone(), now: self.scene, error }),
         }
     }
 }

@@ -98,12 +98,11 @@ fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str
         Some(Err(problem)) => complaint(ui, &problem),
         Some(Ok(wanted)) => {
             // The draft of impossible numbers, if there is one, continues under the new name.
-            let mut base = form.base.clone();
-            if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
-                model.desk.shown.edit(|figure| figure.scene = base.clone());
+            let mut scene = model.desk.shown.figure().scene.clone();
+            if edit::rename(&mut scene, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
+                model.desk.shown.edit(|figure| figure.scene = scene);
                 model.desk.shown.show_mut().rename_object(name, &wanted);
                 model.desk.shown.edit_labels(|labels| labels.rename_object(name, &wanted));
-                form.base = base;
                 model.tree.select(Some(Selected::Object(wanted)));
             }
         }
