@@ -9,7 +9,6 @@
 
 pub mod action;
 pub mod background;
-pub mod cameras;
 pub mod coach;
 pub mod comparison;
 pub mod desk;
@@ -25,7 +24,6 @@ pub mod layout;
 pub mod message;
 pub mod model;
 pub mod operations;
-pub mod photograph;
 pub mod scene_cache;
 pub mod scene_tree;
 pub mod selected_placement;
@@ -35,6 +33,7 @@ pub mod storage;
 #[cfg(test)]
 #[path = "../../files/src/testing.rs"]
 mod testing;
+pub mod tools;
 pub mod unsaved_text;
 mod wake;
 pub mod watch;
@@ -46,7 +45,6 @@ use camera_lab_teaching::{clock, exercises, lessons, numerics};
 pub use action::{Action, FileFor, Intent, MeshFor};
 pub use background::memo::{Latest, Memo};
 pub use background::worker::{Done, Running, Worker};
-pub use cameras::CameraList;
 pub use coach::Advice;
 pub use comparison::{Comparison, LineOrigin};
 pub use desk::Desk;
@@ -68,13 +66,13 @@ pub use operations::Scrub;
 pub use operations::motion::{FADE, arrow};
 pub use operations::placing::{Mark, Placing};
 pub use operations::predict::{About, Prediction};
-pub use photograph::{Drawn, Grip, PhotographTool, SHORTEST};
 pub use scene_cache::is_heavy;
 pub use scene_tree::{Draft, Selected, preset_objects};
 pub use shown::PanelHover;
 pub use storage::recent::{Recent, merged};
 pub use storage::session::{Keeping, Kept, LeftOver, News, NewsList, Restored, Sessions};
 pub use storage::shared_file::SharedFile;
+pub use tools::{CameraList, Drawn, Grip, LabelMode, PhotographTool, SHORTEST};
 pub use unsaved_text::UnsavedText;
 pub use wake::Wake;
-pub use watch::Watch;
+pub use watch::{Theirs, Watch};

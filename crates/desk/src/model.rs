@@ -28,6 +28,7 @@ use crate::scene_cache::SceneCache;
 use crate::scene_tree::{SceneTree, Selected};
 use crate::settings::Settings;
 use crate::shown::SeenBy;
+use crate::tools::{CameraList, LabelMode, PhotographTool};
 use camera_lab_words::messages::faults;
 use camera_lab_words::{Lang, told, window};
 
@@ -67,12 +68,16 @@ pub struct Model {
     pub follow: Follow,
     /// The part of the explanations that the views share.
     pub explained: Explained,
+    /// The mode in which labels are the author's.
+    pub label_mode: LabelMode,
+    /// The lines on the photograph, which determine the position of its camera.
+    pub photograph: PhotographTool,
+    /// The list of cameras.
+    pub cameras: CameraList,
     /// A running step.
     pub motion: Option<Motion>,
     /// Values that the parts of the window exchange from frame to frame.
     pub frame: Exchange,
-    /// Requests of features to others, performed once this frame's panels are drawn.
-    pub actions: Vec<Action>,
 }
 
 impl Model {
@@ -101,9 +106,11 @@ impl Model {
             operations: Operations::default(),
             follow: Follow::default(),
             explained: Explained::default(),
+            label_mode: LabelMode::default(),
+            photograph: PhotographTool::default(),
+            cameras: CameraList::default(),
             motion: None,
             frame: Exchange::default(),
-            actions: Vec::new(),
         }
     }
 
@@ -133,6 +140,11 @@ impl Model {
     pub fn show_explanation(&mut self, explanation: Explanation) {
         self.settings.panels_mut().show(Side::Explain);
         self.explained.show(explanation);
+    }
+
+    /// Asks the window for an action, at the end of the frame.
+    pub fn request(&mut self, action: Action) {
+        self.frame.request = Some(action);
     }
 
     /// Adds a point of the world to the figure and follows it. If the point exists already, only follows it.
@@ -235,7 +247,8 @@ impl Model {
         self.show_screen(screen);
         self.frame.probe = None;
         self.message = None;
-        self.actions.push(Action::ForgetFigure);
+        self.photograph = PhotographTool::default();
+        self.cameras = CameraList::default();
     }
 
     /// True if the figure has changes that mustn't be lost.

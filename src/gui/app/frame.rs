@@ -56,18 +56,16 @@ impl App {
         self.caret.follow(ctx);
         motion::advance(ctx, &mut self.state.model);
         lesson::advance(ctx, &mut self.state.model, &mut self.state.learn, self.state.file_flow.is_asking());
-        self.act(ctx);
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.model.desk.commit();
         }
         self.focus.begin(ctx, self.state.file_flow.is_asking());
         file_flow::poll(ctx, &mut self.state);
-        self.act(ctx);
         let of_files = self.state.file_flow.running(self.state.model.settings.lang);
         if !self.state.file_flow.is_asking() && self.canvas.listen_for_cancel(ctx, &mut self.state.model, &of_files) {
             self.state.file_flow.cancel(is_long);
         }
-        if !self.canvas.holds_something(&self.state.model, &self.state.label_mode, &self.state.photograph)
+        if !self.canvas.holds_something(&self.state.model)
             && let Some(command) =
                 presentation::escape(ctx, &self.state.model, &self.state.file_flow, &self.state.annotations)
         {
@@ -91,11 +89,6 @@ impl App {
         }
     }
 
-    /// Performs the requests of features to each other.
-    pub(super) fn act(&mut self, ctx: &egui::Context) {
-        actions::perform(ctx, &mut self.state);
-    }
-
     /// Bars and panels around the pictures.
     fn panels(&mut self, ui: &mut egui::Ui) -> Called {
         let ctx = ui.ctx().clone();
@@ -117,14 +110,12 @@ impl App {
             presentation::caption(ui, &self.state.model);
         }
         let of_lesson = lesson::panel(ui, &mut self.state.model, &mut self.state.learn);
-        self.act(&ctx);
         self.side_panels(ui, t);
         tooltip::beside_nothing(&ctx);
         if let Some(note) = context_help::called(&ctx) {
             self.state.explain.explain_by_note(&mut self.state.model, note);
         }
         motion::show_done(&ctx, &mut self.state.model);
-        self.act(&ctx);
         self.state.model.follow_panels();
         self.state.model.frame.answered = self.state.learn.exercises.answered_camera();
         Called { of_bar, of_lesson }
@@ -139,7 +130,6 @@ impl App {
             self.perform(ui.ctx(), command);
         }
         lesson::go_on(ui, &mut self.state.model, &mut self.state.learn);
-        self.act(ui.ctx());
     }
 
     /// The open panels: studies below, parameters at the left, operations and explanations at the right.
@@ -156,7 +146,7 @@ impl App {
             egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
-                parameters::ui(ui, &mut self.state.model, &mut self.state.photograph, &mut self.state.cameras);
+                parameters::ui(ui, &mut self.state.model);
             });
             name_handle(ui, "parameters", t.panel_width);
         }
@@ -228,13 +218,13 @@ impl App {
         }
     }
 
-    /// A question or a form over the window, and the sign for a dropped file.
+    /// A question or a form over the window, the action that a feature has requested, and the sign for a dropped file.
     fn dialogs(&mut self, ctx: &egui::Context) {
         if let Some(command) = dialogs::show(ctx, &mut self.state) {
             self.perform(ctx, command);
             ctx.request_repaint();
         }
-        self.act(ctx);
+        actions::perform(ctx, &mut self.state);
         drop_hint(ctx, &self.state.model);
         self.resting.show(ctx, self.state.model.settings.presentation);
         self.focus.end(ctx);
@@ -286,11 +276,13 @@ impl App {
     }
 }
 
-/// Shows the pictures with their inputs from other features, then performs the resulting actions.
+/// Shows the pictures with their inputs from other features, and hands on the mark that the user puts there.
 pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
-    let State { model, learn, annotations, explain, file_flow, label_mode, photograph, .. } = state;
-    let inputs = Inputs {
-        placing: learn.placing(model),
+    let State { model, learn, annotations, explain, file_flow, .. } = state;
+    let placing = learn.placing(model);
+    let mark = placing.as_ref().and_then(|placing| placing.mark);
+    let mut inputs = Inputs {
+        placing,
         fades: learn.lesson.as_ref().map_or(0, |playing| playing.fades),
         keys: presentation::keys(ui.ctx(), model, learn, annotations),
         frozen: annotations.frozen,
@@ -300,8 +292,12 @@ pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
             why::clicked(ctx, model, explain, request, pointer, triangle)
         },
     };
-    canvas.ui(ui, model, (label_mode, photograph), inputs);
-    actions::perform(ui.ctx(), state);
+    canvas.ui(ui, model, &mut inputs);
+    if let Some(placing) = inputs.placing
+        && let Some(place) = placing.mark.filter(|place| mark != Some(*place))
+    {
+        learn.put_mark(model, &placing.of, place);
+    }
 }
 
 /// Names the handle of a panel in the language of the window, because egui's own name for it is English.

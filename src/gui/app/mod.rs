@@ -188,7 +188,6 @@ impl App {
     /// Performs a command of a menu or the keyboard.
     fn perform(&mut self, ctx: &egui::Context, command: Command) {
         command.run(&mut self.state, ctx);
-        self.act(ctx);
     }
 
     /// Lets links in texts, which may have another author, open only pages and mail, but no files or programs of this

@@ -308,7 +308,7 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
         Target::Parameter(tab, field) => {
             state.model.settings.tab = tab;
             let t = cameras::texts(state.model.settings.lang);
-            state.cameras.was_called |= [t.add, t.before, t.pair].contains(&field);
+            state.model.cameras.was_called |= [t.add, t.before, t.pair].contains(&field);
             state.model.settings.panels_mut().show(Side::Left);
             if !field.is_empty() {
                 number_field::take_keyboard(ctx, field);

@@ -13,10 +13,9 @@ use crate::gui::gallery::Gallery;
 use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::learn::Learn;
 use crate::gui::pictures::annotations::Annotations;
-use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::why::state::explain::Explain;
 use crate::views::{View, Views};
-use camera_lab_desk::{CameraList, Desk, Document, Intent, Memo, Model, PhotographTool, Recent};
+use camera_lab_desk::{Desk, Document, Intent, Memo, Model, Recent};
 use camera_lab_files::share::ShareError;
 use camera_lab_files::{SourceFile, figure_from};
 
@@ -47,18 +46,12 @@ pub struct State {
     pub camera_a: Option<Arc<Figure>>,
     /// Annotations over the pictures.
     pub annotations: Annotations,
-    /// The mode in which labels are the author's.
-    pub label_mode: LabelMode,
-    /// The lines on the photograph, which determine the position of its camera.
-    pub photograph: PhotographTool,
     /// The studies of error against run time.
     pub numerics: Numerics,
     /// The side of explanations.
     pub explain: Explain,
     /// Exercises and lessons.
     pub learn: Learn,
-    /// The list of cameras.
-    pub cameras: CameraList,
     /// The link that a dialog shows, by the address and whether it holds a whole lesson. Computed when the dialog is
     /// opened, since nothing behind it changes.
     pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
@@ -102,18 +95,14 @@ impl State {
             family: FamilyChoice::default(),
             camera_a: None,
             annotations: Annotations::default(),
-            label_mode: LabelMode::default(),
-            photograph: PhotographTool::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),
             learn: Learn::default(),
-            cameras: CameraList::default(),
             shown_link: Memo::default(),
         };
         state.model.show_screen(screen);
         if let Some(open) = start.lesson {
             state.learn.play(&mut state.model, open);
-            state.model.actions.clear();
         }
         Ok(state)
     }

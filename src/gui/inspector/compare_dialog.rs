@@ -86,7 +86,7 @@ fn others(ui: &mut Ui, words: &Words, model: &mut Model, camera_a: &mut Option<A
             chosen = Some(compared_with(model, &a));
         }
         if ui.button(words.with_file).explained(words.with_file_hint).clicked() {
-            model.actions.push(Action::File(FileFor::CompareWith));
+            model.request(Action::File(FileFor::CompareWith));
         }
         let with_saved = ui.add_enabled(model.desk.shown.is_changed(), Button::new(words.with_saved));
         if with_saved.explained(words.with_saved_hint).explained_disabled(words.with_saved_none).clicked() {

@@ -44,7 +44,7 @@ pub struct Learn {
 /// A link to a step of a built-in lesson.
 fn lesson_link(ui: &mut egui::Ui, model: &mut Model, lesson: &Arc<Lesson>, step: usize) {
     if ui.link(lessons::lesson_link(model.settings.lang, lesson, step)).clicked() {
-        model.actions.push(Action::lesson(Arc::clone(lesson), step));
+        model.request(Action::lesson(Arc::clone(lesson), step));
     }
 }
 

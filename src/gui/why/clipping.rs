@@ -55,6 +55,6 @@ fn dead_end(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let [title, caption] = figure.told();
     let text = format!("{} {}", gallery::texts(lang).shows, told(lang, &title));
     if ui.add(Button::new(text).wrap()).explained(told(lang, &caption)).clicked() {
-        model.actions.push(Action::Begin(Intent::Shipped(figure.name)));
+        model.request(Action::Begin(Intent::Shipped(figure.name)));
     }
 }

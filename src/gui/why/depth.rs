@@ -74,7 +74,7 @@ fn of_camera(ui: &mut Ui, model: &mut Model, explain: &mut Explain, camera: &Cam
     plot(ui, lang, camera, space.ndc(), probe);
     ui.horizontal(|ui| {
         if export_button(ui, lang) {
-            model.actions.push(Action::chart(t.depth_chart, chart(lang, camera, space.ndc(), &said)));
+            model.request(Action::chart(t.depth_chart, chart(lang, camera, space.ndc(), &said)));
         }
     });
     let depth = probe.unwrap_or_else(|| camera.distance().clamp(near, far));

@@ -226,6 +226,6 @@ fn questions(ui: &mut Ui, t: &Texts, model: &mut Model) {
 fn compare_button(ui: &mut Ui, model: &mut Model) {
     let words = words::texts(model.settings.lang);
     if ui.button(words.command).explained(words.command_hint).clicked() {
-        model.actions.push(Action::Compare);
+        model.request(Action::Compare);
     }
 }

@@ -38,7 +38,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
         return;
     };
     if ui.button(t.film).explained(t.film_hint).clicked() {
-        model.actions.push(Action::File(FileFor::Animation(way)));
+        model.request(Action::File(FileFor::Animation(way)));
     }
     let steps = &mut model.explained.steps;
     shown = steps.advance(shown, now, &camera);

@@ -175,8 +175,8 @@ pub const MENUS: &[Menu] = &[
                     kept_camera::swap(&mut s.model, &s.camera_a);
                 }),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
-                row!(Labels, alt(Key::T), labels::title, command_hint, |s, _| s.label_mode.toggle())
-                    .on(|s| s.label_mode.on),
+                row!(Labels, alt(Key::T), labels::title, command_hint, |s, _| s.model.label_mode.toggle())
+                    .on(|s| s.model.label_mode.on),
             ],
         ],
     },

@@ -12,8 +12,9 @@ use camera_lab_words::window;
 /// Shows the bar, if there is something to report.
 pub(crate) fn bar(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.model.settings.lang);
-    let (Some(theirs), Some(name)) = (state.file_flow.theirs.clone(), state.model.desk.shown.name()) else { return };
-    let changed = state.model.desk.shown.is_changed();
+    let document = &state.model.desk.shown;
+    let (Some(theirs), Some(name)) = (state.file_flow.watch.theirs(document).cloned(), document.name()) else { return };
+    let changed = document.is_changed();
     egui::Panel::top("changed file").show(ui, |ui| {
         let text = if changed { t.file_changed_unsaved } else { t.file_changed };
         let text = format!("⚠ {} {text}", sanitize::escaped(&name));
@@ -29,7 +30,7 @@ pub(crate) fn bar(ui: &mut egui::Ui, state: &mut State) {
                     file_flow::begin(ui.ctx(), state, Intent::Reload);
                 }
                 if ui.button(t.keep_mine).explained(t.keep_mine_hint).clicked() {
-                    file_flow::keep_mine(&mut state.file_flow);
+                    state.file_flow.watch.keep_mine();
                 }
             });
         });

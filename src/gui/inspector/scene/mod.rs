@@ -289,7 +289,7 @@ fn perform(model: &mut Model, edit: Edit) {
             if below == 0 {
                 remove(model, &names, Children::Removed);
             } else {
-                model.actions.push(Action::Delete { names, below });
+                model.request(Action::Delete { names, below });
             }
         }
         Edit::RemoveLight(index) => {
@@ -320,7 +320,7 @@ fn file_row(
         let (response, typed) = line.show(ui, t.lang, |text| Ok::<_, ()>(text.to_owned()));
         response.explained(hint).accessible_name(name);
         if ui.button(t.browse).clicked() {
-            model.actions.push(browse);
+            model.request(browse);
         }
         typed
     });

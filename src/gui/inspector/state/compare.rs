@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
-use camera_lab_desk::{Action, Message, Model};
+use camera_lab_desk::{Message, Model};
 use camera_lab_files::{FileError, Opened};
 
 /// The values of the dialog that no figure has yet.
@@ -60,20 +60,23 @@ pub(in crate::gui) fn swap(model: &mut Model, camera_a: &Option<Arc<Figure>>) {
     }
 }
 
-/// Compares with the figure in a file.
-pub(in crate::gui) fn with_file(model: &mut Model, path: &Path, opened: Result<Opened, FileError>) {
+/// Compares with the figure in a file. Returns false if it can't be read.
+pub(in crate::gui) fn with_file(model: &mut Model, path: &Path, opened: Result<Opened, FileError>) -> bool {
     let other = match opened {
         Ok(opened) => opened.figure,
-        Err(error) => return model.say(Message::File(path.to_owned(), error)),
+        Err(error) => {
+            model.say(Message::File(path.to_owned(), error));
+            return false;
+        }
     };
     let is_same_scene = other.scene == model.desk.shown.figure().scene;
     let figure = compared_with(model, &other);
     take(model, figure);
     model.desk.commit();
-    model.actions.push(Action::Compare);
     if !is_same_scene {
         model.say(Message::OtherScene(path.to_owned()));
     }
+    true
 }
 
 /// The figure compared with the camera and the ways of drawing of another one.

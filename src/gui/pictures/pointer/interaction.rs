@@ -15,14 +15,13 @@ use crate::camera::{Convention, Operation};
 use crate::geometry::Angle;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::arrow_of;
-use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
 use crate::views::{Handle, Hover, Probe, Request, Transforming, View, pick};
-use camera_lab_desk::{Model, ObserverChange, PhotographTool, Placing};
+use camera_lab_desk::{Model, ObserverChange, Placing};
 use camera_lab_words::window::canvas::CanvasTexts;
 
 /// Logarithm of the zoom for one point of the wheel.
@@ -40,7 +39,6 @@ impl Canvas {
         &mut self,
         ui: &Ui,
         model: &mut Model,
-        (label_mode, photograph): (&mut LabelMode, &mut PhotographTool),
         placing: &mut Option<Placing>,
         panes: &[Pane],
         texts: &'static CanvasTexts,
@@ -50,14 +48,14 @@ impl Canvas {
             self.drag = None;
         }
         let escape = self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape));
-        if escape && label_mode.on {
+        if escape && model.label_mode.on {
             // A field that the user types in gives the key up first.
-            if !label_mode.is_typing {
-                label_mode.step_back();
+            if !model.label_mode.is_typing {
+                model.label_mode.step_back();
             }
-        } else if escape && photograph.on {
+        } else if escape && model.photograph.on {
             if !ui.ctx().text_edit_focused() {
-                photograph.step_back();
+                model.photograph.step_back();
             }
         } else if escape {
             // One thing after the other.
@@ -71,21 +69,21 @@ impl Canvas {
         self.hover_pick = None;
         self.hover.hovered = None;
         for pane in panes {
-            self.focus(ui, model, label_mode, placing, pane);
-            if Self::place(ui, model, pane, placing.as_mut()) {
+            self.focus(ui, model, placing, pane);
+            if Self::place(ui, pane, placing.as_mut()) {
                 continue;
             }
             if !self.fingers(ui, model, pane) {
-                self.drag(ui, model, label_mode, pane);
+                self.drag(ui, model, pane);
                 self.wheel(ui, model, pane);
             }
             if self.drag.is_none() && pane.response.hovered() && !ui.input(|i| i.pointer.any_down()) {
-                hovered = self.hover(ui, model, label_mode, pane, &mut status, texts);
+                hovered = self.hover(ui, model, pane, &mut status, texts);
                 if let Some((probe, place)) = hovered.zip(pane.response.hover_pos()) {
                     self.probed_side = pane.side(place).map(|side| (probe, side.request));
                 }
             }
-            self.click(model, label_mode, pane, hovered);
+            self.click(model, pane, hovered);
             if status.message.is_empty() && pane.response.has_focus() {
                 keys_hint(pane.view, texts).clone_into(&mut status.message);
             }
@@ -111,10 +109,10 @@ impl Canvas {
         status
     }
 
-    fn click(&mut self, model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, hovered: Option<Probe>) {
+    fn click(&mut self, model: &mut Model, pane: &Pane, hovered: Option<Probe>) {
         let response = &pane.response;
-        if label_mode.on {
-            self.label_click(model, label_mode, pane);
+        if model.label_mode.on {
+            self.label_click(model, pane);
             return;
         }
         if response.double_clicked_by(PointerButton::Primary) {
@@ -175,7 +173,6 @@ impl Canvas {
         &mut self,
         ui: &Ui,
         model: &Model,
-        label_mode: &LabelMode,
         pane: &Pane,
         status: &mut Status,
         texts: &'static CanvasTexts,
@@ -185,8 +182,8 @@ impl Canvas {
         let is_own = pane.is_own(place);
         let (camera, digits) = (model.desk.shown.camera(), model.settings.digits.min(6));
         status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
-        if label_mode.on {
-            self.label_hover(ui, model, label_mode, pane, place, status);
+        if model.label_mode.on {
+            self.label_hover(ui, model, pane, place, status);
             return None;
         }
         if pane.view == View::World
@@ -250,14 +247,7 @@ impl Canvas {
     // The keys.
 
     /// Keeps the arrow keys in a picture that has the focus, and lets the keys act.
-    fn focus(
-        &mut self,
-        ui: &Ui,
-        model: &mut Model,
-        label_mode: &mut LabelMode,
-        placing: &mut Option<Placing>,
-        pane: &Pane,
-    ) {
+    fn focus(&mut self, ui: &Ui, model: &mut Model, placing: &mut Option<Placing>, pane: &Pane) {
         if !pane.response.has_focus() {
             return;
         }
@@ -273,8 +263,8 @@ impl Canvas {
             i.events.iter().filter_map(key).collect()
         });
         for (key, modifiers) in pressed {
-            if !Self::place_by_key(model, placing.as_mut(), pane, key, modifiers)
-                && !self.label_by_key(model, label_mode, pane, key, modifiers)
+            if !Self::place_by_key(placing.as_mut(), pane, key, modifiers)
+                && !self.label_by_key(model, pane, key, modifiers)
                 && !self.probe_by_key(model, pane, key, modifiers)
             {
                 self.key(model, pane, key, modifiers);

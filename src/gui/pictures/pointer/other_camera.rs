@@ -6,7 +6,7 @@ use super::handle_drag;
 use crate::gui::pictures::Pane;
 use crate::sanitize::escaped;
 use crate::views::{Request, View, camera_at};
-use camera_lab_desk::{Action, Model};
+use camera_lab_desk::Model;
 use camera_lab_words::window::cameras;
 
 /// The place in the list of the camera at the pointer (pixels).
@@ -26,6 +26,6 @@ pub(in crate::gui::pictures) fn is_clicked(model: &mut Model, pane: &Pane) -> bo
     let Some(place) = pane.response.interact_pointer_pos().filter(|place| pane.is_own(*place)) else { return false };
     let (request, pointer) = pane.under(place);
     let Some(index) = hovered(&request, pointer, pane) else { return false };
-    model.actions.push(Action::LookThrough(index));
+    model.look_through(index);
     true
 }

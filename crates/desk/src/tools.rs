@@ -1,12 +1,56 @@
-//! The lines and points on the photograph, and the kind that the next drag draws. They belong to the window, not to the
-//! figure.
+//! The tools of the window for the author's labels, the lines on a photograph, and the list of cameras. They belong to
+//! the window, not to the figure.
 
 use glam::DVec2;
 
-use crate::camera::{ImageSize, Parameters};
+use crate::Model;
 use crate::camera::{
-    PhotographCamera, PhotographError, PhotographLine, PhotographMarks, WorldAxis, camera_of_photograph,
+    Convergence, ImageSize, Parameters, PhotographCamera, PhotographError, PhotographLine, PhotographMarks, WorldAxis,
+    camera_of_photograph,
 };
+use crate::figure::{Figure, NamedCamera};
+use crate::views::View;
+use camera_lab_words::window::cameras;
+
+/// The mode *Labels*.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LabelMode {
+    /// The pointer chooses and drags labels.
+    pub on: bool,
+    /// The chosen label, and the picture in which it was chosen.
+    pub chosen: Option<(View, String)>,
+    /// The next click puts a note.
+    pub adding: bool,
+    /// The typed text of the chosen label. `None` for the figure's.
+    pub typed: Option<String>,
+    /// True if the text was put there just now. Its field gets the focus.
+    pub is_new: bool,
+    /// The field of the text has the focus.
+    pub is_typing: bool,
+}
+
+impl LabelMode {
+    /// Enters or leaves the mode.
+    pub fn toggle(&mut self) {
+        *self = Self { on: !self.on, ..Self::default() };
+    }
+
+    /// Chooses a label, or none.
+    pub fn choose(&mut self, label: Option<(View, String)>) {
+        if self.chosen != label {
+            (self.chosen, self.typed) = (label, None);
+        }
+    }
+
+    /// One thing after the other: stops adding a note, then leaves the mode.
+    pub fn step_back(&mut self) {
+        if self.adding {
+            self.adding = false;
+        } else {
+            *self = Self::default();
+        }
+    }
+}
 
 /// The marks that a drag on the photograph can draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,4 +189,62 @@ impl PhotographTool {
             self.marks.lines.truncate(line);
         }
     }
+}
+
+/// The list of cameras.
+#[derive(Clone, Debug, Default)]
+pub struct CameraList {
+    /// The baseline of the next stereo pair. `None` for a thirtieth of D, as in the textbooks of stereo photography.
+    pub baseline: Option<f64>,
+    /// True if the search leads to one of its buttons, so that the list is unfolded.
+    pub was_called: bool,
+}
+
+impl Model {
+    /// Looks through one of the other cameras of the figure.
+    pub fn look_through(&mut self, index: usize) {
+        self.desk.commit();
+        self.desk.shown.look_through(index);
+        // Its aspect is its own.
+        let (camera, image) = (self.desk.shown.draft(), self.desk.shown.figure().image);
+        let is_of_image = camera.aspect == f64::from(image.width) / f64::from(image.height);
+        self.settings.aspect_follows_image &= is_of_image || camera.window.is_some();
+    }
+
+    /// Keeps the current camera in the list under a name, or one like it.
+    pub fn keep_camera(&mut self, name: &str) {
+        let figure = self.desk.shown.figure();
+        let camera = NamedCamera { name: free(figure, name), color: None, ..figure.current_camera() };
+        self.desk.shown.edit_cameras(|figure| figure.add_camera(camera));
+    }
+
+    /// Makes the current camera and one more a stereo pair around it. The left one becomes the current one.
+    pub fn make_stereo(&mut self, baseline: f64, convergence: Convergence) {
+        let t = cameras::texts(self.settings.lang);
+        match self.desk.shown.camera().stereo(baseline, convergence) {
+            Err(error) => self.say_camera_error(Err(error)),
+            Ok([left, right]) => {
+                self.desk.commit();
+                let name = free(self.desk.shown.figure(), t.right);
+                let parameters = *right.parameters();
+                let right = NamedCamera { name, color: None, parameters, lens: None };
+                let figure = self.desk.shown.figure();
+                let has_it = figure.tag.name.as_deref() == Some(t.left);
+                let name = if has_it { t.left.to_owned() } else { free(figure, t.left) };
+                self.desk.shown.edit_cameras(|figure| {
+                    figure.tag.name = Some(name);
+                    figure.add_camera(right);
+                });
+                self.desk.shown.set_camera(left);
+            }
+        }
+    }
+}
+
+/// The name, or if it's taken, the name with the first free number.
+fn free(figure: &Figure, name: &str) -> String {
+    if figure.may_name_camera(name, None) {
+        return name.to_owned();
+    }
+    (2..).map(|i| format!("{name} {i}")).find(|name| figure.may_name_camera(name, None)).unwrap_or_default()
 }
