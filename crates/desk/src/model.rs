@@ -140,6 +140,8 @@ impl Model {
     pub fn show_explanation(&mut self, explanation: Explanation) {
         self.settings.panels_mut().show(Side::Explain);
         self.explained.show(explanation);
+        // The panel explains the stage that's chosen in the strip.
+        self.layout.strip |= explanation == Explanation::Stages;
     }
 
     /// Asks the window for an action, at the end of the frame.

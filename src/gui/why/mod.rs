@@ -156,7 +156,7 @@ pub(super) fn ui(
             let (name, hint) = (row.words)(t);
             let is_shown = model.explained.shown() == row.explanation;
             if toggle(ui, is_shown, name).explained(hint).clicked() {
-                model.explained.show(row.explanation);
+                model.show_explanation(row.explanation);
             }
         }
     });
