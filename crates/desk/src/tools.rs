@@ -8,7 +8,7 @@ use crate::camera::{
     Convergence, ImageSize, Parameters, PhotographCamera, PhotographError, PhotographLine, PhotographMarks, WorldAxis,
     camera_of_photograph,
 };
-use crate::figure::{Figure, NamedCamera};
+use crate::figure::{Comparison, Figure, NamedCamera};
 use crate::views::View;
 use camera_lab_words::window::cameras;
 
@@ -211,11 +211,29 @@ impl Model {
         self.settings.aspect_follows_image &= is_of_image || camera.window.is_some();
     }
 
-    /// Keeps the current camera in the list under a name, or one like it.
-    pub fn keep_camera(&mut self, name: &str) {
+    /// Keeps the current camera in the list, unless it's full. Returns its name there.
+    pub fn keep_camera(&mut self) -> String {
         let figure = self.desk.shown.figure();
-        let camera = NamedCamera { name: free(figure, name), color: None, ..figure.current_camera() };
+        let name = figure.free_camera_name();
+        let camera = NamedCamera { name: name.clone(), color: None, ..figure.current_camera() };
         self.desk.shown.edit_cameras(|figure| figure.add_camera(camera));
+        name
+    }
+
+    /// The other camera whose image stands beside that of the current one, by its place in the list.
+    pub fn camera_beside(&self) -> Option<usize> {
+        let figure = self.desk.shown.figure();
+        let name = figure.compare.as_ref()?.camera.as_ref()?;
+        figure.cameras.iter().position(|other| other.name == *name)
+    }
+
+    /// Shows the image of another camera beside that of the current one, in place of any other comparison. `None` shows
+    /// the current one alone.
+    pub fn show_beside(&mut self, index: Option<usize>) {
+        self.desk.shown.edit_cameras(|figure| {
+            let other = index.and_then(|index| figure.cameras.get(index));
+            figure.compare = other.map(|other| Comparison::of_camera(&other.name));
+        });
     }
 
     /// Makes the current camera and one more a stereo pair around it. The left one becomes the current one.

@@ -55,7 +55,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
         }
         Dialog::Compare(form) => {
             let draws = state.annotations.any();
-            let stays = compare_dialog::show(ctx, t, (&mut state.model, &mut state.camera_a), form, draws);
+            let stays = compare_dialog::show(ctx, t, &mut state.model, form, draws);
             // A command may have opened another one in between.
             if state.file_flow.dialog.is_none() {
                 state.file_flow.dialog = stays.map(Dialog::Compare);

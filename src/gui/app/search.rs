@@ -185,7 +185,6 @@ fn controls(lang: Lang) -> Vec<Entry> {
         drawing(t.window_opacity, t.window_opacity_hint),
         drawing(t.axes_length, t.axes_length_hint),
         among_cameras(of_cameras.add, of_cameras.add, of_cameras.add_hint),
-        among_cameras(of_cameras.before, of_cameras.before, of_cameras.before_hint),
         among_cameras(of_cameras.pair, of_cameras.pair, of_cameras.pair_hint),
         among_cameras(of_photograph.choose_title, of_photograph.photograph, of_photograph.hint),
         among_operations(of_predict.switch, of_predict.switch_hint),
@@ -308,7 +307,7 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
         Target::Parameter(tab, field) => {
             state.model.settings.tab = tab;
             let t = cameras::texts(state.model.settings.lang);
-            state.model.cameras.was_called |= [t.add, t.before, t.pair].contains(&field);
+            state.model.cameras.was_called |= [t.add, t.pair].contains(&field);
             state.model.settings.panels_mut().show(Side::Left);
             if !field.is_empty() {
                 number_field::take_keyboard(ctx, field);

@@ -1,7 +1,5 @@
 //! The whole state of the window: the model, and the state of each feature.
 
-use std::sync::Arc;
-
 use crate::camera::CameraError;
 use crate::figure::Figure;
 use crate::gui::Start;
@@ -42,8 +40,6 @@ pub struct State {
     pub(in crate::gui) exported_of: Option<Views>,
     /// The exported family.
     pub family: FamilyChoice,
-    /// The figure whose camera was kept as A.
-    pub camera_a: Option<Arc<Figure>>,
     /// Annotations over the pictures.
     pub annotations: Annotations,
     /// The studies of error against run time.
@@ -93,7 +89,6 @@ impl State {
             export: Export::new([[640, 480]; View::COUNT], 1.0),
             exported_of: None,
             family: FamilyChoice::default(),
-            camera_a: None,
             annotations: Annotations::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),

@@ -5,7 +5,7 @@ use eframe::egui::{self, Popup, PopupCloseBehavior};
 use super::{complaint, row};
 use crate::appearance::Rgba;
 use crate::camera::{Convergence, Projection};
-use crate::figure::{Comparison, NamedCamera};
+use crate::figure::NamedCamera;
 use crate::gui::inspector::section;
 use crate::gui::kit::number_field::{self};
 use crate::gui::kit::{Explained, KeptLine, NumberField, Step};
@@ -43,7 +43,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
 /// One of the other cameras: its color, its name, and the buttons that look through it and remove it.
 fn other(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: usize) {
     let mut asked = (false, false);
-    let mut is_beside = is_beside(model, index);
+    let mut is_beside = model.camera_beside() == Some(index);
     let own = model.desk.shown.figure().cameras[index].name.clone();
     name_row(ui, model, t, Some(index), |ui| {
         let of = |what: &str| format!("{what}: {}", escaped(&own));
@@ -51,11 +51,14 @@ fn other(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: usize) {
         let remove = ui.button("✖").explained(t.remove_hint).accessible_name(of(t.remove));
         asked = (look.clicked(), remove.clicked());
     });
-    let beside = ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint);
-    if beside.accessible_name(format!("{}: {}", t.beside, escaped(&own))).changed() {
-        let compare = is_beside.then(|| Comparison::of_camera(&model.desk.shown.figure().cameras[index].name));
-        model.desk.shown.edit_cameras(|figure| figure.compare = compare);
-    }
+    ui.horizontal(|ui| {
+        // Below the name, not the colour.
+        ui.add_space(24.0);
+        let beside = ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint);
+        if beside.accessible_name(format!("{}: {}", t.beside, escaped(&own))).changed() {
+            model.show_beside(is_beside.then_some(index));
+        }
+    });
     match asked {
         (true, _) => model.look_through(index),
         (_, true) => {
@@ -63,13 +66,6 @@ fn other(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: usize) {
         }
         _ => {}
     }
-}
-
-/// True if the image of this camera stands beside that of the current one.
-fn is_beside(model: &Model, index: usize) -> bool {
-    let figure = model.desk.shown.figure();
-    let name = figure.compare.as_ref().and_then(|comparison| comparison.camera.as_ref());
-    name.is_some_and(|name| figure.cameras[index].name == *name)
 }
 
 /// Color, name, and the controls at the right.
@@ -153,11 +149,7 @@ fn add(ui: &mut egui::Ui, model: &mut Model, t: &Texts, has_room: bool) {
             button.explained(hint).explained_disabled(t.full)
         };
         if button(ui, t.add, t.add_hint).clicked() {
-            let name = model.desk.shown.figure().free_camera_name();
-            model.keep_camera(&name);
-        }
-        if button(ui, t.before, t.before_hint).clicked() {
-            model.keep_camera(t.before_name);
+            model.keep_camera();
         }
         let is_perspective = model.desk.shown.camera().projection() == Projection::Perspective;
         let pair = ui.add_enabled(has_room && is_perspective, egui::Button::new(format!("{} ▾", t.pair)));
