@@ -9,8 +9,9 @@ use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
 use crate::figure::{Figure, Labels, Observers, Screen, Show};
 use crate::scene::Preset;
-use camera_lab_files::share;
-use camera_lab_files::{Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename};
+use camera_lab_files::{
+    Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename, share,
+};
 
 /// The edited figure.
 #[derive(Clone, Debug)]

@@ -10,11 +10,11 @@ use crate::sanitize;
 use crate::scene::{MeshNotice, Preset, SceneError};
 use crate::views::View;
 use camera_lab_files::{FileError, LeftOut};
+use camera_lab_words::Lang;
 use camera_lab_words::learn::{exercise_messages, lessons};
-use camera_lab_words::messages::faults;
+use camera_lab_words::messages::{self, faults};
 use camera_lab_words::why::explain_point;
-use camera_lab_words::window::{cameras, canvas, compare, scenes, sessions, sharing};
-use camera_lab_words::{Lang, messages, window};
+use camera_lab_words::window::{self, cameras, canvas, compare, scenes, sessions, sharing};
 
 /// A message at the bottom of the window.
 #[derive(Debug)]

@@ -1,14 +1,13 @@
 //! Checks beside the window's thread if another program has changed the figure's file.
 
-use crate::Wake;
 use std::path::PathBuf;
 use std::time::Duration;
 
 use crate::background::worker::Worker;
-use crate::clock;
 use crate::document::Document;
 use crate::history::Revision;
 use crate::progress::Progress;
+use crate::{Wake, clock};
 use camera_lab_files::{FileChange, Stamp, look};
 
 /// The content that another program has written into the figure's file. `None` if it's unreadable.

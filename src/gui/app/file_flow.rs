@@ -5,7 +5,6 @@
 //! Save, Save as, Export ── which file? ── there already? changed by another program? read-only? ── ask ── do it ── then what was wanted
 //! ```
 
-pub(super) mod changed_file;
 pub(super) mod file_kind;
 pub(super) mod link_dialog;
 mod opening;
@@ -16,7 +15,6 @@ mod saving;
 mod sequence;
 pub mod title_dialog;
 
-use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -34,6 +32,7 @@ use crate::gui::app::file_flow::sequence::Search;
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportKind, Exporting, Task, save_chart};
 use crate::gui::inspector::state::compare::{self, CompareForm};
+use crate::gui::kit::frames;
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::picture::file_beside;
 use crate::scene::Shape;

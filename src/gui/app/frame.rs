@@ -5,24 +5,24 @@
 //! of the pointer, and the pictures mark it in the same frame. Dialogs lie over both. After everything has been shown,
 //! the changes are committed and handed to the threads that write files.
 
-use crate::gui::kit::focus::{self};
-use crate::gui::kit::frames::frames;
-use crate::gui::kit::{Command, Region, context_help, text_field, tooltip};
 use std::time::Duration;
 
 use eframe::egui;
 
-use super::{App, actions, dialogs, menu, presentation, status};
-use crate::gui::app::file_flow::{self, changed_file};
-use crate::gui::app::state::State;
+use super::state::State;
+use super::{App, dialogs, menu, presentation, status};
+use crate::gui::app::file_flow::questions::{Dialog, Purpose};
+use crate::gui::app::file_flow::{self, ask, begin};
+use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::inspector::{numerics, operations, parameters, values};
+use crate::gui::kit::{Command, Region, context_help, focus, frames, text_field, tooltip};
 use crate::gui::learn::{exercises, lesson};
 use crate::gui::pictures::long_work::is_long;
 use crate::gui::pictures::{Canvas, Inputs, motion};
 use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session_news;
 use crate::gui::why;
-use camera_lab_desk::{Intent, Kept, Model, PanelHover, Side};
+use camera_lab_desk::{Action, Intent, Kept, Model, PanelHover, Side};
 use camera_lab_words::window::{self, Texts};
 
 /// Below this width, in points, there is room for only one panel beside the pictures.
@@ -125,7 +125,7 @@ impl App {
     fn notices(&mut self, ui: &mut egui::Ui) {
         self.recovery(ui);
         session_news::bar(ui, self.state.model.settings.lang, &mut self.state.file_flow.news);
-        changed_file::bar(ui, &mut self.state);
+        status::changed_file(ui, &mut self.state);
         if let Some(command) = lesson::welcome(ui, &mut self.state.model, &mut self.state.learn) {
             self.perform(ui.ctx(), command);
         }
@@ -224,7 +224,7 @@ impl App {
             self.perform(ctx, command);
             ctx.request_repaint();
         }
-        actions::perform(ctx, &mut self.state);
+        perform_request(ctx, &mut self.state);
         drop_hint(ctx, &self.state.model);
         self.resting.show(ctx, self.state.model.settings.presentation);
         self.focus.end(ctx);
@@ -264,7 +264,7 @@ impl App {
         let Some(sessions) = &mut self.sessions else { return };
         let decision = recovery::list(ui, self.state.model.settings.lang, sessions.left());
         match decision {
-            Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, Intent::Restore(slot)),
+            Some(Decision::Restore(slot)) => begin(ui.ctx(), &mut self.state, Intent::Restore(slot)),
             Some(Decision::Discard(slot)) => sessions.discard(slot),
             None => {}
         }
@@ -317,4 +317,29 @@ fn drop_hint(ctx: &egui::Context, model: &Model) {
     let text = window::texts(model.settings.lang).drop_here;
     let font = egui::FontId::proportional(24.0);
     painter.text(rect.center(), egui::Align2::CENTER_CENTER, text, font, visuals.text_color());
+}
+
+/// Performs the action that was requested in this frame, if any.
+fn perform_request(ctx: &egui::Context, state: &mut State) {
+    let Some(action) = state.model.frame.request.take() else { return };
+    ctx.request_repaint();
+    let dialog = match action {
+        Action::File(file) => return ask(ctx, state, Purpose::For(file)),
+        Action::Begin(next) => return begin(ctx, state, next),
+        Action::Offered(open) => {
+            begin(ctx, state, Intent::Lesson(open));
+            // It stays if the question about changes is open.
+            if state.learn.lesson.is_some() {
+                state.learn.take_offer(&mut state.model);
+            }
+            return;
+        }
+        Action::Note(note) => return state.explain.explain_by_note(&mut state.model, note),
+        Action::Lessons => Dialog::Lessons,
+        Action::Delete { names, below } => Dialog::Delete { names, below },
+        Action::DeleteProgress => Dialog::DeleteProgress,
+        Action::Coach => Dialog::Coach,
+        Action::Compare => Dialog::Compare(CompareForm::of(state.model.desk.shown.figure())),
+    };
+    state.file_flow.dialog = Some(dialog);
 }

@@ -2,8 +2,6 @@
 //!
 //! Only this module uses features, in order, and only its functions take the whole state of the window.
 
-pub(super) mod about;
-mod actions;
 pub mod command;
 pub mod dialogs;
 pub mod file_flow;

@@ -22,13 +22,9 @@ use camera_lab_desk::{Intent, Memo, Model, ObserverChange, Side, Tab};
 use camera_lab_files::SHIPPED_FIGURES;
 use camera_lab_words::learn::exercises as exercise_words;
 use camera_lab_words::why::{explain as explain_words, notes};
-use camera_lab_words::window::cameras;
-use camera_lab_words::window::coach as coach_words;
-use camera_lab_words::window::photograph;
-use camera_lab_words::window::predict;
-use camera_lab_words::window::search as words;
 use camera_lab_words::window::search::{also_called, folded, has_words};
-use camera_lab_words::{Lang, told, window};
+use camera_lab_words::window::{self, cameras, coach as coach_words, photograph, predict, search as words};
+use camera_lab_words::{Lang, told};
 
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;

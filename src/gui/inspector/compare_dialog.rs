@@ -10,9 +10,8 @@ use crate::gui::kit::{Explained, NumberField, TextField, at_right, toggle};
 use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
 use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_words::messages;
-use camera_lab_words::window::Texts;
-use camera_lab_words::window::compare as words;
 use camera_lab_words::window::compare::Texts as Words;
+use camera_lab_words::window::{Texts, compare as words};
 
 /// Shows the dialog in a movable window of its own. The pictures beside it show the choice, and stay usable. Returns
 /// the form while it stays open. While the user `draws` on the views, Esc is for that.

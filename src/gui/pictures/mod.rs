@@ -11,19 +11,39 @@ mod card;
 pub(super) mod highlight;
 mod icons;
 mod image_place;
-pub(super) mod labels;
+/// The mode *Labels*, in which labels can be moved, renamed and hidden.
+pub(super) mod labels {
+    pub(super) mod label_drag;
+    pub(super) mod labels_card;
+}
 pub(super) mod long_work;
 pub(super) mod motion;
-pub(super) mod photograph;
-pub(super) mod pointer;
+/// The camera of the photograph, from lines drawn on it along the axes of the world.
+pub(super) mod photograph {
+    mod card;
+    mod lines;
+}
+/// The pointer and the keys in the pictures: probes, picking, drags.
+pub(super) mod pointer {
+    pub(super) mod camera_drag;
+    pub(super) mod followed;
+    pub(in crate::gui) mod handle_drag;
+    pub(super) mod held;
+    pub(super) mod interaction;
+    pub(super) mod keyboard_probe;
+    pub(super) mod picking;
+    pub(super) mod placing;
+    pub(super) mod probe_steps;
+    pub(in crate::gui) mod selection_gizmo;
+    pub(super) mod vertex_name;
+    pub(super) mod wiper;
+}
 mod readout;
 mod rendering;
 mod status;
 mod strip;
 mod texture;
 
-use crate::gui::kit::frames::frames;
-use crate::gui::kit::{Command, Region, focus};
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -31,7 +51,6 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
-
 use glam::DVec2;
 
 use self::arrange::{Axis, Framed, Shares, arrange, automatic};
@@ -44,6 +63,7 @@ use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use crate::appearance::{Rgba, Samples};
 use crate::figure::{Explanation, Observer};
+use crate::gui::kit::{Command, Region, focus, frames};
 use crate::gui::pictures::arrange::auto_observer::Auto;
 use crate::gui::pictures::arrange::title::{Title, TitleAction};
 use crate::gui::pictures::highlight::Highlight;
@@ -55,13 +75,13 @@ use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::pointer::vertex_name::VertexNames;
 use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
-use crate::views::image_frame;
-use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
+use crate::views::{
+    Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown, image_frame,
+};
 use camera_lab_desk::{Action, Message, Model, ObserverChange, Placing, Running};
 use camera_lab_words::pictures::labels;
-use camera_lab_words::window;
-use camera_lab_words::window::canvas as words;
 use camera_lab_words::window::canvas::CanvasTexts;
+use camera_lab_words::window::{self, canvas as words};
 
 /// Time that a frame waits for its pictures. Slower ones appear when they are done.
 const MAX_WAIT: Duration = Duration::from_millis(30);

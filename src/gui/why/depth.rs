@@ -18,8 +18,8 @@ use crate::numerics::health::{suggested_planes, with_planes};
 use crate::numerics::{Resolution, Seen, TwoPlanes, resolutions};
 use crate::views::Probe;
 use camera_lab_desk::{Action, Model};
-use camera_lab_words::window::{coach as words, compare};
-use camera_lab_words::{Lang, window};
+use camera_lab_words::Lang;
+use camera_lab_words::window::{self, coach as words, compare};
 
 /// Height of the plot in points.
 const HEIGHT: f32 = 150.0;

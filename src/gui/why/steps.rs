@@ -17,9 +17,8 @@ use crate::gui::why::state::explain::Explain;
 use crate::numbers::without_rests;
 use crate::views::View;
 use camera_lab_desk::{Action, FileFor, Model, Reading, Steps, end_of, step_at, time_of};
-use camera_lab_words::why::explain as words;
 use camera_lab_words::why::explain::Texts;
-use camera_lab_words::why::notes;
+use camera_lab_words::why::{explain as words, notes};
 use camera_lab_words::{Lang, command_line, pictures};
 
 /// Shows the tab.

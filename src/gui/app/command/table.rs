@@ -13,18 +13,16 @@ use crate::gui::export::family_choice::Subject;
 use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::state::compare::{CompareForm, swap};
-use crate::gui::kit::command::Command::{self, *};
+use crate::gui::kit::keys::Command::{self, *};
 use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::lesson::state::Playing;
 use crate::limits::MAX_CAMERAS;
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
-use camera_lab_desk::layout::{self};
-use camera_lab_desk::{Intent, Message, ObserverChange, Panels, Side};
+use camera_lab_desk::{Intent, Message, ObserverChange, Panels, Side, layout};
 use camera_lab_files::{self as files, Overwrite};
 use camera_lab_words::learn::{handouts, lessons};
-use camera_lab_words::window::Texts;
-use camera_lab_words::window::{cameras, canvas, compare, labels, sharing};
+use camera_lab_words::window::{Texts, cameras, canvas, compare, labels, sharing};
 
 /// A row: command, keys, the names of label and hint, and the effect: a flag, one of several values in the state, or
 /// otherwise a function. The names are those of texts of the window, or of the texts before `::`.

@@ -12,8 +12,7 @@ use crate::gui::learn::exercises::state::Chosen;
 use crate::lessons::{Lesson, OpenLesson};
 use crate::scene::{Shape, TextureSource};
 use camera_lab_desk::{Document, Intent, MeshFor, Message, Model, Source};
-use camera_lab_files::share;
-use camera_lab_files::{self as files, FileError, Opened};
+use camera_lab_files::{self as files, FileError, Opened, share};
 
 /// Puts a mesh file into the scene.
 pub(in crate::gui) fn mesh(model: &mut Model, which: MeshFor, path: &Path) {

@@ -16,8 +16,8 @@ use crate::gui::learn::handout::pages::PagesPreview;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
 use crate::sanitize;
 use camera_lab_desk::{Comparison, FileFor, Message, NewsList, Revision, Running, Theirs, Watch};
-use camera_lab_words::window::scenes;
-use camera_lab_words::{Lang, window};
+use camera_lab_words::Lang;
+use camera_lab_words::window::{self, scenes};
 
 /// The purpose of a file.
 #[derive(Clone, Debug, PartialEq)]

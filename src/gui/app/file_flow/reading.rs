@@ -1,6 +1,5 @@
 //! Files read beside the window's thread, because one on a network may take seconds.
 
-use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -8,6 +7,7 @@ use eframe::egui;
 
 use crate::clock;
 use crate::gui::app::state::State;
+use crate::gui::kit::frames;
 use crate::progress::Progress;
 use camera_lab_desk::{Model, Revision, Running, Worker};
 

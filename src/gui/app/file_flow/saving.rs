@@ -1,6 +1,5 @@
 //! The figure is written beside the window's thread, because a disk on a network may take seconds, or stall.
 
-use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -9,8 +8,9 @@ use eframe::egui;
 use crate::clock;
 use crate::figure::{Figure, update};
 use crate::gui::app::state::State;
+use crate::gui::kit::frames;
 use crate::progress::Progress;
-use camera_lab_desk::background::worker::{self};
+use camera_lab_desk::background::worker;
 use camera_lab_desk::{Model, Revision, Theirs, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
 

@@ -14,6 +14,7 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
+pub use store::Preferences;
 use toml_edit::{DocumentMut, Value};
 
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
@@ -26,7 +27,6 @@ use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LI
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
 use camera_lab_desk::{Side, WindowPlace};
-pub use store::Preferences;
 
 /// The conventions for the signs of rotations, by the names in `--convention`.
 const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
@@ -413,7 +413,7 @@ mod tests {
     use crate::gui::export::family_choice::FamilyChoice;
     use crate::gui::export::{Export, Paper};
     use crate::views::Arrangement;
-    use camera_lab_desk::explained::conventions::Conventions;
+    use camera_lab_desk::Conventions;
     use camera_lab_words::Lang;
 
     fn state() -> State {

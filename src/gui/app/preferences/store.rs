@@ -1,6 +1,5 @@
 //! The storage of the preferences.
 
-use crate::gui::kit::frames::frames;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -15,6 +14,7 @@ use crate::gui::app::preferences::{
     recent, values,
 };
 use crate::gui::app::state::State;
+use crate::gui::kit::frames;
 use camera_lab_desk::storage::shared_file::{Change, MAX_WAIT};
 use camera_lab_desk::{Keeping, News, Recent, SharedFile, merged};
 use camera_lab_files as files;

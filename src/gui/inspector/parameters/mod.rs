@@ -3,7 +3,6 @@
 
 mod camera;
 mod cameras;
-mod free_window;
 mod image;
 mod lens_menu;
 mod photograph;
@@ -26,8 +25,7 @@ use camera_lab_desk::{Model, Tab, symbols_of};
 use camera_lab_words::Lang;
 use camera_lab_words::messages::faults;
 use camera_lab_words::why::{explain_point, notes};
-use camera_lab_words::window::scenes;
-use camera_lab_words::window::{self, Texts};
+use camera_lab_words::window::{self, Texts, scenes};
 
 /// Shows the panel's content: one of its tabs.
 pub fn ui(ui: &mut egui::Ui, model: &mut Model) {

@@ -9,6 +9,7 @@ mod tree;
 use std::collections::{BTreeMap, BTreeSet};
 
 use eframe::egui::{self, RichText};
+pub(super) use texture::mend;
 
 use super::{choice_row, row, section};
 use crate::explain::{Component, Symbol};
@@ -23,9 +24,7 @@ use camera_lab_words::Lang;
 use camera_lab_words::messages::faults;
 use camera_lab_words::why::notes;
 use camera_lab_words::window;
-use camera_lab_words::window::scenes;
-use camera_lab_words::window::scenes::Texts;
-pub(super) use texture::mend;
+use camera_lab_words::window::scenes::{self, Texts};
 
 /// A change requested by the tree or a button.
 enum Edit {

@@ -14,15 +14,12 @@ use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MAX_TYPED_NAME, MIN_SEGME
 use crate::numbers::without_rests;
 use crate::sanitize::escaped;
 use crate::scene::edit::{self, Children, descendants, placement};
-use crate::scene::transform;
-use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData};
+use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData, transform};
 use crate::views::Transforming;
 use camera_lab_desk::{Action, FileFor, MeshFor, Model, Selected, preset_objects};
-use camera_lab_words::messages;
-use camera_lab_words::messages::faults;
+use camera_lab_words::messages::{self, faults};
 use camera_lab_words::why::notes;
-use camera_lab_words::window::scenes;
-use camera_lab_words::window::scenes::{Texts, preset_object};
+use camera_lab_words::window::scenes::{self, Texts, preset_object};
 
 /// The fields of the object at this place of the list. Returns the request of its buttons.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<Edit> {

@@ -16,6 +16,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
+pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
+pub(in crate::gui) use speaker::window as speaker_window;
 
 use crate::figure::{Explanation, Localized};
 use crate::gui::kit::{Command, Explained, Region, focus, prose, theme};
@@ -23,13 +25,10 @@ use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{self, Lesson, Link, Task};
 use camera_lab_desk::{Action, Model};
-use camera_lab_words::learn::exercises;
-use camera_lab_words::learn::lessons as words;
 use camera_lab_words::learn::lessons::Texts;
+use camera_lab_words::learn::{exercises, lessons as words};
 use camera_lab_words::why::notes;
 use camera_lab_words::{Lang, told};
-pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
-pub(in crate::gui) use speaker::window as speaker_window;
 
 /// The share of the window that text and task may take. Longer ones are scrolled.
 const SHARE: f32 = 0.42;

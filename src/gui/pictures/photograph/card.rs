@@ -7,9 +7,8 @@ use crate::gui::kit::{Explained, NumberField, Step};
 use crate::gui::pictures::{Canvas, Pane};
 use camera_lab_desk::{Drawn, Model};
 use camera_lab_words::why::photograph as steps;
-use camera_lab_words::window;
-use camera_lab_words::window::photograph as words;
 use camera_lab_words::window::photograph::Texts;
+use camera_lab_words::window::{self, photograph as words};
 
 /// The width of the card.
 const WIDTH: f32 = 286.0;

@@ -3,25 +3,23 @@
 use eframe::egui::{self, Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
 use glam::DVec2;
 
-use super::camera_drag;
-use super::followed;
 use super::held::{GIZMO_REACH, gizmo_lines, tell};
 use super::keyboard_probe::{ProbeStep, Probing};
-use super::other_camera;
-use super::picking::{self, PickQuery, PickRequest};
-use super::pixel::pixel_of;
+use super::picking::{self, PickQuery, PickRequest, pixel_of};
 use super::probe_steps::Click;
+use super::{camera_drag, followed, handle_drag};
 use crate::camera::{Convention, Operation};
 use crate::geometry::Angle;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::arrow_of;
-use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
+use crate::sanitize::escaped;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
-use crate::views::{Handle, Hover, Probe, Request, Transforming, View, pick};
+use crate::views::{Handle, Hover, Probe, Request, Transforming, View, camera_at, pick};
 use camera_lab_desk::{Model, ObserverChange, Placing};
+use camera_lab_words::window::cameras;
 use camera_lab_words::window::canvas::CanvasTexts;
 
 /// Logarithm of the zoom for one point of the wheel.
@@ -123,7 +121,7 @@ impl Canvas {
         } else if response.clicked_by(PointerButton::Primary)
             && response.hovered()
             && self.hover.hovered.is_none()
-            && other_camera::is_clicked(model, pane)
+            && looks_through_clicked(model, pane)
         {
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
@@ -210,8 +208,8 @@ impl Canvas {
             tell(ui, status, &lines, handle_drag::cursor(false));
             return Some(Probe::Point(p));
         }
-        if is_own && let Some(index) = other_camera::hovered(request, pointer, pane) {
-            tell(ui, status, &other_camera::lines(index, model), egui::CursorIcon::PointingHand);
+        if is_own && let Some(index) = camera_under(request, pointer, pane) {
+            tell(ui, status, &camera_lines(index, model), egui::CursorIcon::PointingHand);
             return None;
         }
         status.message = match pane.view {
@@ -363,4 +361,49 @@ fn keys_hint(view: View, texts: &CanvasTexts) -> &'static str {
         View::Canonical => texts.keys_in_canonical,
         View::Image => texts.keys_in_image,
     }
+}
+
+impl Canvas {
+    /// Lets two fingers move and zoom a three-dimensional picture. True while they are on it. Takes back the action
+    /// that the first finger had begun before the second came, because it wasn't meant.
+    pub(in crate::gui::pictures) fn fingers(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) -> bool {
+        let touch = ui.input(|input| input.multi_touch());
+        let Some(touch) = touch.filter(|touch| pane.rect.rect.contains(touch.start_pos)) else { return false };
+        if self.drag.is_some() {
+            self.give_up(model);
+        }
+        let moved = pane.rect.pixel(touch.center_pos) - pane.rect.pixel(touch.center_pos - touch.translation_delta);
+        if pane.view != View::Image
+            && let Some(seen) = self.seen(pane.picture)
+        {
+            let at = pane.rect.pixel(touch.center_pos);
+            let moved = seen.pan(moved.x, moved.y, pane.rect.size.smaller_side());
+            let observer = orbit::zoomed_at(moved, f64::from(touch.zoom_delta), at, pane.rect.size);
+            if observer != seen {
+                self.turn(model, pane.picture, observer);
+            }
+        }
+        true
+    }
+}
+
+/// The place in the list of the camera at the pointer (pixels).
+fn camera_under(request: &Request, pointer: DVec2, pane: &Pane) -> Option<usize> {
+    let reach = pane.rect.pixels(handle_drag::REACH);
+    camera_at(request, pointer, reach).filter(|_| pane.view == View::World)
+}
+
+/// Its name, and the effect of a click.
+fn camera_lines(index: usize, model: &Model) -> [String; 2] {
+    let name = model.desk.shown.figure().cameras.get(index).map_or("", |other| &other.name);
+    [escaped(name), cameras::texts(model.settings.lang).click.to_owned()]
+}
+
+/// Looks through the clicked camera. Returns false if there is none.
+fn looks_through_clicked(model: &mut Model, pane: &Pane) -> bool {
+    let Some(place) = pane.response.interact_pointer_pos().filter(|place| pane.is_own(*place)) else { return false };
+    let (request, pointer) = pane.under(place);
+    let Some(index) = camera_under(&request, pointer, pane) else { return false };
+    model.look_through(index);
+    true
 }
