@@ -1,9 +1,9 @@
 //! Faulty arguments in words. Clap speaks English.
 
-use camera_lab_words::{Grammar, Lang, command_line as texts};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use crate::sanitize;
+use camera_lab_words::{Grammar, Lang, command_line as texts};
 
 /// Faulty arguments, in one paragraph.
 pub(super) fn in_words(lang: Lang, error: &clap::Error) -> String {

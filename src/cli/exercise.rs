@@ -14,7 +14,8 @@ use crate::cli::args::exercise::{
 use crate::cli::args::words::{TableFormat, written};
 use crate::exercises::{self, Answer, AnswerError, Ask, Cause, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
-use crate::figure::{Figure, write::to_toml};
+use crate::figure::Figure;
+use crate::figure::write::to_toml;
 use crate::inspect::json_text;
 use crate::lessons::lesson_of;
 use crate::picture::{self, Composite, FileOptions, Metadata};

@@ -30,6 +30,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use args::figure::FigureArgs;
+use args::words::written;
+use args::{Command, CommandLine};
 use clap::Parser;
 use serde::Serialize;
 
@@ -42,11 +45,7 @@ use crate::progress::Progress;
 use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
-use args::figure::FigureArgs;
-use args::words::written;
-use args::{Command, CommandLine};
-use camera_lab_files::share;
-use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Opened, SourceFile};
+use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Opened, SourceFile, share};
 use camera_lab_words::{Lang, command_line as texts, messages, pictures};
 
 /// The reason why a command ends early.

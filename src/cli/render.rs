@@ -5,8 +5,7 @@ use std::path::Path;
 use super::args::RenderArgs;
 use super::{Failure, open, progress, say, scene, text_for_picture};
 use crate::camera::{Camera, ImageSize};
-use crate::cli::args::figure::FigureArgs;
-use crate::cli::args::figure::size;
+use crate::cli::args::figure::{FigureArgs, size};
 use crate::cli::args::words::written;
 use crate::picture::{
     self, Beside, Composite, Handout, NoComposite, OnPaper, PictureError, PictureFile, SheetSize, gap,
@@ -16,9 +15,8 @@ use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::{ObserverOf, Request, SharedScene, Shot, Size, View, unknown_labels};
 use camera_lab_files::{self as files, Opened, Overwrite};
-use camera_lab_words::handout;
 use camera_lab_words::window::{compare, labels as labels_words};
-use camera_lab_words::{Lang, command_line as texts, families, messages, pictures};
+use camera_lab_words::{Lang, command_line as texts, families, handout, messages, pictures};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let out = &args.out;

@@ -3,22 +3,52 @@
 pub mod app;
 pub mod export;
 pub mod gallery;
-pub mod inspector;
+/// The panels at the sides.
+pub mod inspector {
+    pub(super) mod coach;
+    pub mod compare_dialog;
+    pub(super) mod number_tables;
+    pub mod numerics;
+    pub mod operations;
+    pub mod parameters;
+    mod predict;
+    pub mod scene;
+    /// The state of the panels between frames.
+    pub(super) mod state {
+        pub(in crate::gui) mod compare;
+    }
+    pub mod values;
+
+    use crate::gui::kit::{
+        TEXT_LINE, VectorField, choice_row, complain, complaint, erratum, kept_section, more, row, section, toggle,
+    };
+}
 pub mod kit;
 pub mod learn;
 pub mod pictures;
-pub mod platform;
-pub mod storage;
+/// The system under the window: its file dialogs, and the possible sizes of a window.
+pub mod platform {
+    pub mod native;
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) mod window_size;
+}
+/// The lines about what outlives a window.
+pub mod storage {
+    pub mod recovery;
+    pub mod session_news;
+}
 pub mod why;
 
-use crate::figure::Figure;
-use crate::lessons::OpenLesson;
+use std::path::PathBuf;
+
 pub use app::App;
 pub use app::launch_options::LaunchOptions;
 pub use app::state::State;
+
+use crate::figure::Figure;
+use crate::lessons::OpenLesson;
 use camera_lab_files::SourceFile;
 use camera_lab_words::Lang;
-use std::path::PathBuf;
 
 /// The initial state of the window.
 #[derive(Clone, Debug, Default)]

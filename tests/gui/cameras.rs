@@ -61,7 +61,7 @@ fn a_stereo_pair_is_half_a_baseline_to_each_side() {
     let t = cameras::texts(Lang::En);
     let mut window = window(Lang::En, PAIR);
     let middle = window.state().model.desk.shown.camera().clone();
-    window.app_mut().state.cameras.baseline = Some(0.5);
+    window.app_mut().state.model.cameras.baseline = Some(0.5);
     window.click(t.pair);
     window.click(t.shifted);
     let figure = window.figure();

@@ -5,7 +5,7 @@ use camera_lab::figure::WorldLook;
 use camera_lab::figure::{Measure, Measured};
 use camera_lab::gui::LaunchOptions;
 use camera_lab::gui::app::command::MENUS;
-use camera_lab::gui::kit::command::Command;
+use camera_lab::gui::kit::keys::Command;
 use camera_lab::views::View;
 use camera_lab::views::observer::Viewpoint;
 use camera_lab_desk::layout::{ObserverChange, Side};

@@ -172,7 +172,7 @@ fn the_convention_of_the_window_is_the_side_that_is_swapped() {
 }
 
 #[test]
-fn a_camera_is_kept_as_a_compared_and_swapped_and_closing_ends_it() {
+fn a_camera_is_kept_in_the_list_compared_and_swapped_and_closing_ends_it() {
     let folder = Folder::new("compare");
     let mut window = house(Lang::En);
     let first = window.state().model.desk.shown.figure().camera;
@@ -183,17 +183,22 @@ fn a_camera_is_kept_as_a_compared_and_swapped_and_closing_ends_it() {
     window.run();
     window.enter("C x", "-3");
     let second = window.state().model.desk.shown.figure().camera;
-    // Now, and A: swapped, and back.
+    // Its image stands beside: swapped, and back.
     window.key(Key::F4);
     assert_eq!(window.state().model.compared().expect("a side").camera.expect("another camera").parameters(), &first);
+    assert_eq!(window.state().model.camera_beside(), Some(0));
     window.key(Key::F4);
-    assert_eq!(window.state().model.desk.shown.figure().camera, first);
+    let figure = window.state().model.desk.shown.figure();
+    assert_eq!((figure.camera, figure.cameras[0].parameters), (first, second));
     window.key(Key::F4);
     assert_eq!(window.state().model.desk.shown.figure().camera, second);
-    // A stays as it was while the camera continues.
+    // The kept one stays as it was while the camera continues.
     window.enter("C y", "1.5");
     assert_eq!(window.state().model.compared().expect("a side").camera.expect("another camera").parameters(), &first);
+    // Another comparison takes its place.
     window.compare();
+    window.click(en::COMPARE.shading);
+    assert_eq!(window.compared().expect("a comparison").camera, None);
     window.click(en::WINDOW.close);
     assert_eq!(window.compared(), None);
     assert_eq!(window.state().model.desk.shown.figure().observers, framed);

@@ -7,7 +7,7 @@ use camera_lab::figure::Explanation;
 use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::{Start, State};
 use camera_lab::views::{Probe, View, Views};
-use camera_lab_desk::explained::conventions::Conventions;
+use camera_lab_desk::Conventions;
 use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, vec2};

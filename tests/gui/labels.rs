@@ -26,7 +26,7 @@ fn window(lang: Lang) -> Window {
     window.run();
     window.harness.key_press_modifiers(Modifiers::ALT, Key::T);
     window.run();
-    assert!(window.state().label_mode.on);
+    assert!(window.state().model.label_mode.on);
     window
 }
 
@@ -62,14 +62,14 @@ fn a_label_is_dragged_in_one_step_and_undone() {
     assert!((after.center - before.center).abs_diff_eq(DVec2::new(40.0, 60.0), 1.0), "{before:?} {after:?}");
     assert!(after.point.abs_diff_eq(before.point, 0.1), "its point stays");
     assert_eq!(labels(&window).moved.len(), 1);
-    assert_eq!(window.state().label_mode.chosen, Some((View::World, "C".to_owned())));
+    assert_eq!(window.state().model.label_mode.chosen, Some((View::World, "C".to_owned())));
     window.command_key(Key::Z);
     assert_eq!(*labels(&window), Labels::default(), "the whole drag is one step");
     // Esc while it is held puts it back.
     window.drag(place, vec2(30.0, 30.0), |window| window.key(Key::Escape));
     assert_eq!(*labels(&window), Labels::default());
     window.key(Key::Escape);
-    assert!(!window.state().label_mode.on);
+    assert!(!window.state().model.label_mode.on);
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn a_note_is_put_by_a_click_or_by_enter_typed_and_deleted() {
         vec2(x, y)
     };
     window.click_at(corner);
-    assert!(matches!(labels(&window).notes[0].at, NotePlace::Picture(_)) && !window.state().label_mode.adding);
+    assert!(matches!(labels(&window).notes[0].at, NotePlace::Picture(_)) && !window.state().model.label_mode.adding);
     window.harness.event(Event::Text("see (5.3)".to_owned()));
     window.run();
     assert_eq!(labels(&window).notes[0].text, "see (5.3)", "its text is chosen, ready to be typed over");
@@ -224,7 +224,7 @@ fn all_are_automatic_again_and_notes_stay() {
     window.click(en::LABELS.all_automatic);
     assert_eq!(*labels(&window), Labels::default());
     window.click(en::LABELS.leave);
-    assert!(!window.state().label_mode.on);
+    assert!(!window.state().model.label_mode.on);
     assert!(window.harness.query_by_label(en::LABELS.all_automatic).is_none());
 }
 

@@ -11,14 +11,14 @@ use std::time::Duration;
 
 use camera_lab::camera::Parameters;
 use camera_lab::gui::app::file_flow::questions::Dialog;
-use camera_lab::gui::kit::command::Command;
+use camera_lab::gui::kit::keys::Command;
 use camera_lab::gui::learn::exercises::state::Chosen;
 use camera_lab::gui::{Start, State};
 use camera_lab::lessons::{OpenLesson, shipped};
 use camera_lab::views::View;
+use camera_lab_desk::UnsavedText;
 use camera_lab_desk::document::Document;
 use camera_lab_desk::storage::session::Sessions;
-use camera_lab_desk::unsaved_text::UnsavedText;
 use camera_lab_files::{open_figure, read_lesson};
 use camera_lab_words::learn::{exercise_window, lessons as words};
 use camera_lab_words::{Lang, told, window};

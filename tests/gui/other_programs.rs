@@ -97,7 +97,7 @@ fn a_window_that_gets_the_focus_offers_to_reload_once() {
             _ => ["foi alterado por outro programa.", "Recarregar", "Manter o meu"],
         };
         fs::write(&path, THEIRS).expect("written");
-        window.focus(|window| window.state().file_flow.theirs.is_some());
+        window.focus(|window| window.theirs().is_some());
         assert!(window.says(says));
         window.click(keep);
         assert!(!window.says(says));
@@ -110,7 +110,7 @@ fn a_window_that_gets_the_focus_offers_to_reload_once() {
         }
         assert!(!window.says(says));
         fs::write(&path, THEIRS.replace("61", "62")).expect("written");
-        window.focus(|window| window.state().file_flow.theirs.is_some());
+        window.focus(|window| window.theirs().is_some());
         window.click(reload);
         assert_eq!(window.state().model.desk.shown.figure().camera.far, 62.0);
         assert!(!window.says(says) && !window.state().model.desk.shown.is_changed());
@@ -134,7 +134,7 @@ fn a_window_with_changes_says_that_the_file_was_changed_too() {
     let mut window = Window::opened(&path);
     window.enter("B", "75");
     fs::write(&path, THEIRS).expect("written");
-    window.focus(|window| window.state().file_flow.theirs.is_some());
+    window.focus(|window| window.theirs().is_some());
     assert!(window.says("you have changes in this window too. Saving asks first."));
     assert!(!window.says(en::WINDOW.reload));
     window.click(en::WINDOW.compare);
@@ -142,7 +142,7 @@ fn a_window_with_changes_says_that_the_file_was_changed_too() {
     window.key(Key::Escape);
     // The other program takes its change back.
     fs::write(&path, MINE).expect("written");
-    window.focus(|window| window.state().file_flow.theirs.is_none());
+    window.focus(|window| window.theirs().is_none());
     window.command_key(Key::S);
     assert!(read(&path).contains("far = 75.0"));
 }
@@ -161,7 +161,7 @@ fn two_windows_on_one_file_do_not_write_over_each_other() {
     assert!(read(&path).contains("far = 75.0") && !read(&path).contains("0.5"));
     other.click(en::WINDOW.replace);
     assert!(read(&path).contains("near = 0.5"));
-    one.focus(|one| one.state().file_flow.theirs.is_some());
+    one.focus(|one| one.theirs().is_some());
     one.click(en::WINDOW.reload);
     assert_eq!(one.state().model.desk.shown.figure().camera.near, 0.5);
 }

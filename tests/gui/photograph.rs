@@ -75,17 +75,17 @@ fn lines_drawn_on_a_photograph_give_its_camera_which_can_be_taken_and_undone() {
         window.click(&format!("{} z", t.line));
         draw(&mut window, [4.0, 0.0, -3.0], [4.0, 0.0, 0.0]);
         draw(&mut window, [4.0, 2.0, -3.0], [4.0, 2.0, 0.0]);
-        assert_eq!(window.state().photograph.marks.lines.len(), 4);
+        assert_eq!(window.state().model.photograph.marks.lines.len(), 4);
         assert_eq!(figure(&window), &before, "a drag doesn't move the camera");
         window.click(t.origin);
         window.click_at(on_screen(&window, [0.0, 0.0, 0.0]) + eframe::egui::vec2(-12.0, 0.0));
-        window.app_mut().state.photograph.marks.origin = Some(DVec2::new(210.3, 293.4));
+        window.app_mut().state.model.photograph.marks.origin = Some(DVec2::new(210.3, 293.4));
         window.click(t.known);
-        window.app_mut().state.photograph.length = (WorldAxis::X, 4.0);
-        window.app_mut().state.photograph.marks.length = Some((WorldAxis::X, DVec2::new(443.5, 360.5), 4.0));
+        window.app_mut().state.model.photograph.length = (WorldAxis::X, 4.0);
+        window.app_mut().state.model.photograph.marks.length = Some((WorldAxis::X, DVec2::new(443.5, 360.5), 4.0));
         window.run();
         let given = *window.state().model.desk.shown.camera().parameters();
-        let found = window.state().photograph.camera(figure(&window).image, &given).expect("a camera");
+        let found = window.state().model.photograph.camera(figure(&window).image, &given).expect("a camera");
         for step in steps::steps(lang, &found) {
             assert!(window.says(&step), "{step}");
         }
@@ -98,7 +98,7 @@ fn lines_drawn_on_a_photograph_give_its_camera_which_can_be_taken_and_undone() {
         window.command_key(Key::Z);
         assert_eq!(figure(&window), &before);
         window.key(Key::Escape);
-        assert!(!window.state().photograph.on && !window.says(t.how));
+        assert!(!window.state().model.photograph.on && !window.says(t.how));
     }
 }
 
@@ -111,7 +111,7 @@ fn lines_nearly_parallel_in_the_image_leave_theta_open_and_the_card_says_so() {
         axis,
         ends: [a, b].map(DVec2::from_array),
     };
-    window.app_mut().state.photograph.marks.lines = vec![
+    window.app_mut().state.model.photograph.marks.lines = vec![
         line(WorldAxis::X, [100.0, 100.0], [500.0, 100.0]),
         line(WorldAxis::X, [100.0, 400.0], [500.0, 400.0]),
         line(WorldAxis::Y, [150.0, 400.0], [150.0, 100.0]),
@@ -123,11 +123,11 @@ fn lines_nearly_parallel_in_the_image_leave_theta_open_and_the_card_says_so() {
     window.harness.get_by_label(&words::end(Lang::En, (1, WorldAxis::X), true)).focus();
     window.run();
     window.key(Key::ArrowRight);
-    assert_eq!(window.state().photograph.marks.lines[0].ends[0].x, 101.0);
+    assert_eq!(window.state().model.photograph.marks.lines[0].ends[0].x, 101.0);
     window.key(Key::Delete);
-    assert_eq!(window.state().photograph.marks.lines.len(), 3);
+    assert_eq!(window.state().model.photograph.marks.lines.len(), 3);
     window.click(t.clear);
-    assert!(window.state().photograph.marks.lines.is_empty());
+    assert!(window.state().model.photograph.marks.lines.is_empty());
 }
 
 #[test]

@@ -231,6 +231,6 @@ fn a_zoom_asks_for_sizes_and_says_by_how_much() {
     assert!(window.says(&format!("{} times as large", Lang::En.mark().number(times, 3))));
 }
 
-fn placing_of(state: &mut State) -> Option<camera_lab_desk::operations::placing::Placing> {
+fn placing_of(state: &mut State) -> Option<camera_lab_desk::operations::Placing> {
     state.learn.placing(&state.model)
 }

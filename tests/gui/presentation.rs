@@ -3,7 +3,7 @@
 use std::fs;
 
 use camera_lab::figure::Explanation;
-use camera_lab::gui::kit::command::Command;
+use camera_lab::gui::kit::keys::Command;
 use camera_lab::gui::{Start, State};
 use camera_lab::scene::Preset;
 use camera_lab::views::View;

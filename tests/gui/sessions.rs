@@ -128,7 +128,7 @@ fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
     fs::write(folder.file("a.toml"), &newer).expect("written");
     let mut window = Window::new(Lang::En);
     window.app_mut().keep_session(&folder.file("sessions"), true);
-    window.wait(|window| window.state().file_flow.theirs.is_some());
+    window.wait(|window| window.theirs().is_some());
     assert_eq!(window.state().model.desk.shown.figure().camera.far, 75.0);
     assert!(window.says("a.toml was changed by another program, and you have changes in this window too."));
     window.command_key(Key::S);

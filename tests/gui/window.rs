@@ -7,6 +7,7 @@ use camera_lab::gui::kit::theme;
 use camera_lab::gui::{App, Start, State};
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
+use camera_lab_desk::Theirs;
 use camera_lab_desk::layout::Side;
 use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
@@ -158,6 +159,11 @@ impl Window {
     /// The state of the window.
     pub(crate) fn state(&self) -> &State {
         &self.harness.state().as_ref().expect("it has been shown").state
+    }
+
+    /// The content of another program in the figure's file.
+    pub(crate) fn theirs(&self) -> Option<&Theirs> {
+        self.state().file_flow.watch.theirs(&self.state().model.desk.shown)
     }
 
     /// The program itself.

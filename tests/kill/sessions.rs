@@ -1,6 +1,6 @@
 //! Windows that are killed while they store their figures.
 
-use camera_lab::gui::kit::frames::frames;
+use camera_lab::gui::kit::frames;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};

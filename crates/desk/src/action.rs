@@ -1,4 +1,4 @@
-//! The actions that one feature requests from another.
+//! What a feature asks of the window: an action, a file, an intent that may lose work.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -8,9 +8,8 @@ use crate::camera::Decomposition;
 use crate::chart::Chart;
 use crate::export::plot::Block;
 use crate::lessons::{Lesson, OpenLesson};
-use crate::operations::placing::Mark;
 
-/// A request of one feature to another. The window performs it once the panels of the frame are drawn.
+/// A request of one feature to another. The window performs it at the end of the frame.
 #[derive(Clone, Debug)]
 pub enum Action {
     /// Ask for a file to read or to write.
@@ -28,14 +27,8 @@ pub enum Action {
     },
     /// Ask if the progress in exercises is to be deleted.
     DeleteProgress,
-    /// Look through another camera of the figure, by its place in the list.
-    LookThrough(usize),
-    /// Put the mark of a question for a place there, in pixels of the image from its left upper corner.
-    PutMark(Mark, [f64; 2]),
     /// Show the camera check.
     Coach,
-    /// Forget the state that belonged to the figure before this one.
-    ForgetFigure,
     /// Show the comparison.
     Compare,
     /// Show the list of lessons.

@@ -1,9 +1,9 @@
 //! The coach's findings about the figure. They are computed beside the window's thread, and again only if their inputs
 //! have changed.
 
-use crate::Wake;
 use std::time::Duration;
 
+use crate::Wake;
 use crate::appearance::Style;
 use crate::background::memo::Latest;
 use crate::camera::{Camera, ImageSize, Parameters};

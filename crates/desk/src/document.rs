@@ -2,14 +2,16 @@
 
 pub mod source;
 
+use std::mem::take;
 use std::path::{Path, PathBuf};
 
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
 use crate::figure::{Figure, Labels, Observers, Screen, Show};
 use crate::scene::Preset;
-use camera_lab_files::share;
-use camera_lab_files::{Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename};
+use camera_lab_files::{
+    Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename, share,
+};
 
 /// The edited figure.
 #[derive(Clone, Debug)]
@@ -245,9 +247,20 @@ impl Document {
     /// Notes that the document has changed.
     fn note_change(&mut self) {
         self.version = Revision::fresh();
-        self.is_changed = self.scene_is_changed
-            || self.draft != self.saved.camera
-            || self.figure.without_scene() != self.saved.without_scene();
+        self.is_changed = self.scene_is_changed || self.draft != self.saved.camera || self.differs_without_scene();
+    }
+
+    /// True if [`Figure::without_scene`] differs from that of the saved figure. A drag asks for every frame, so the
+    /// parts that don't count are put aside instead of copying the rest.
+    fn differs_without_scene(&mut self) -> bool {
+        let put_aside =
+            |figure: &mut Figure| (take(&mut figure.scene), take(&mut figure.observers), take(&mut figure.show));
+        let aside = [&mut self.figure, &mut self.saved].map(put_aside);
+        let differs = self.figure != self.saved;
+        for (figure, parts) in [&mut self.figure, &mut self.saved].into_iter().zip(aside) {
+            (figure.scene, figure.observers, figure.show) = parts;
+        }
+        differs
     }
 
     /// A number that this document keeps through every change, and that no other document has.

@@ -1,5 +1,6 @@
 //! Values that the parts of the window exchange from frame to frame.
 
+use crate::action::Action;
 use crate::camera::Camera;
 use crate::figure::{Observers, TransformPreview};
 use crate::layout::ObserverChange;
@@ -51,6 +52,10 @@ pub struct Exchange {
     ///
     /// *Set by* the explanation of order. *Read by* the views. *Lives* for a frame.
     pub placed: Vec<TransformPreview>,
+    /// The last requested action.
+    ///
+    /// *Set by* any feature. *Read by* the window, which performs it. *Lives* until the end of the frame.
+    pub request: Option<Action>,
     /// The report of the strip's view, stage by stage.
     ///
     /// *Set by* the views while the stages are explained. *Read by* their explanation. *Lives* until it changes.
@@ -70,6 +75,7 @@ impl Default for Exchange {
             probe: None,
             answered: None,
             placed: Vec::new(),
+            request: None,
             reports: Vec::new(),
         }
     }

@@ -1,9 +1,9 @@
 //! The part of the explanations that views and figure files share: the displayed one, its matrix entry and its steps.
 
-pub mod conventions;
 pub mod matrices;
 pub mod steps;
 
+use crate::camera::Ndc;
 use crate::explained::matrices::Matrices;
 use crate::explained::steps::Steps;
 use crate::figure::Explanation;
@@ -91,4 +91,17 @@ impl Default for Explained {
             steps: Steps::default(),
         }
     }
+}
+
+/// The convention of NDC, and the notation of matrices.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Conventions {
+    /// The NDC of the numbers, the probe and the canonical volume.
+    pub ndc: Ndc,
+    /// The convention compared with.
+    pub compared: Option<Ndc>,
+    /// Points are rows: matrices are transposed.
+    pub row_vectors: bool,
+    /// True if z_c is shown growing along DOP.
+    pub left_handed: bool,
 }

@@ -2,15 +2,14 @@
 
 use glam::{DMat4, DVec3};
 
-use crate::Model;
 use crate::camera::Camera;
 use crate::geometry::Aabb;
-use crate::numbers;
 use crate::scene::edit::{free_name, placement};
 use crate::scene::palette::least_used;
 use crate::scene::{Object, ObjectSpec, Scene, SceneSpec, Shape};
 use crate::scene_tree::Selected;
 use crate::views::pick::can_be_seen_by;
+use crate::{Model, numbers};
 use camera_lab_words::window::scenes;
 
 impl Model {

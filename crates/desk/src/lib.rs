@@ -8,8 +8,11 @@
 //! Nothing here draws or asks. The window is a [`Wake`], which can be asked for another frame.
 
 pub mod action;
-pub mod background;
-pub mod cameras;
+/// Work next to the window's thread, and values computed once for each key.
+pub mod background {
+    pub mod memo;
+    pub mod worker;
+}
 pub mod coach;
 pub mod comparison;
 pub mod desk;
@@ -25,37 +28,35 @@ pub mod layout;
 pub mod message;
 pub mod model;
 pub mod operations;
-pub mod photograph;
 pub mod scene_cache;
 pub mod scene_tree;
-pub mod selected_placement;
 pub mod settings;
 pub mod shown;
-pub mod storage;
+/// Storage that outlives a window: sessions, recent files, and the files that several windows write.
+pub mod storage {
+    pub mod recent;
+    pub mod session;
+    pub mod shared_file;
+}
 #[cfg(test)]
 #[path = "../../files/src/testing.rs"]
 mod testing;
-pub mod unsaved_text;
-mod wake;
+pub mod tools;
 pub mod watch;
 
-use camera_lab_engine::{appearance, camera, geometry, limits, numbers, pipeline, progress, sanitize, scene, stage};
-use camera_lab_figures::{chart, explain, export, figure, picture, views};
-use camera_lab_teaching::{clock, exercises, lessons, numerics};
+use std::time::Duration;
 
 pub use action::{Action, FileFor, Intent, MeshFor};
 pub use background::memo::{Latest, Memo};
 pub use background::worker::{Done, Running, Worker};
-pub use cameras::CameraList;
 pub use coach::Advice;
 pub use comparison::{Comparison, LineOrigin};
 pub use desk::Desk;
 pub use document::Document;
 pub use document::source::Source;
-pub use explained::Question;
-pub use explained::conventions::Conventions;
 pub use explained::matrices::{Matrices, Reading, symbols_of};
 pub use explained::steps::{Steps, end_of, step_at, time_of};
+pub use explained::{Conventions, Question};
 pub use export_error::ExportError;
 pub use follow::Space;
 pub use handout_job::{Content, Job};
@@ -64,17 +65,41 @@ pub use insert::{free_place, rounded};
 pub use layout::{ObserverChange, Panels, Side, Tab, WindowPlace};
 pub use message::{Message, NotExported, Shortfall};
 pub use model::Model;
-pub use operations::Scrub;
 pub use operations::motion::{FADE, arrow};
-pub use operations::placing::{Mark, Placing};
 pub use operations::predict::{About, Prediction};
-pub use photograph::{Drawn, Grip, PhotographTool, SHORTEST};
+pub use operations::{Mark, Placing, Scrub};
 pub use scene_cache::is_heavy;
 pub use scene_tree::{Draft, Selected, preset_objects};
 pub use shown::PanelHover;
 pub use storage::recent::{Recent, merged};
-pub use storage::session::{Keeping, Kept, LeftOver, News, NewsList, Restored, Sessions};
+pub use storage::session::{Keeping, Kept, LeftOver, News, NewsList, Restored, Sessions, UnsavedText};
 pub use storage::shared_file::SharedFile;
-pub use unsaved_text::UnsavedText;
-pub use wake::Wake;
-pub use watch::Watch;
+pub use tools::{CameraList, Drawn, Grip, LabelMode, PhotographTool, SHORTEST};
+pub use watch::{Theirs, Watch};
+
+use camera_lab_engine::{appearance, camera, geometry, limits, numbers, pipeline, progress, sanitize, scene, stage};
+use camera_lab_figures::{chart, explain, export, figure, picture, views};
+use camera_lab_teaching::{clock, exercises, lessons, numerics};
+
+/// A window that can be asked for another frame, from any thread.
+pub trait Wake: Send + Sync {
+    /// Asks for a frame after a time. Zero means at once.
+    fn wake_after(&self, time: Duration);
+
+    /// Another handle of the same window, for a thread.
+    fn handle(&self) -> Box<dyn Wake>;
+
+    /// Asks for a frame at once.
+    fn wake(&self) {
+        self.wake_after(Duration::ZERO);
+    }
+}
+
+/// Nobody waits for an answer.
+impl Wake for () {
+    fn wake_after(&self, _: Duration) {}
+
+    fn handle(&self) -> Box<dyn Wake> {
+        Box::new(())
+    }
+}

@@ -10,11 +10,11 @@ use crate::sanitize;
 use crate::scene::{MeshNotice, Preset, SceneError};
 use crate::views::View;
 use camera_lab_files::{FileError, LeftOut};
+use camera_lab_words::Lang;
 use camera_lab_words::learn::{exercise_messages, lessons};
-use camera_lab_words::messages::faults;
+use camera_lab_words::messages::{self, faults};
 use camera_lab_words::why::explain_point;
-use camera_lab_words::window::{canvas, compare, scenes, sessions, sharing};
-use camera_lab_words::{Lang, messages, window};
+use camera_lab_words::window::{self, cameras, canvas, compare, scenes, sessions, sharing};
 
 /// A message at the bottom of the window.
 #[derive(Debug)]
@@ -44,8 +44,8 @@ pub enum Message {
     LessonChanged(PathBuf),
     /// A QR code needs the address of a page.
     AddressFirst,
-    /// The camera was kept as A.
-    CameraKept,
+    /// The camera is in the list now, under this name.
+    CameraKept(String),
     /// There are no sides to swap.
     NothingToSwap,
     /// The figure in this file, whose camera this one is compared with, has another scene.
@@ -172,7 +172,7 @@ impl Message {
                 (Error, format!("{}: {why}", lessons::texts(lang).not_written))
             }
             Self::LessonChanged(path) => (Error, lessons::changed_elsewhere(lang, &sanitize::path(path))),
-            Self::CameraKept => (News, compare::texts(lang).kept.to_owned()),
+            Self::CameraKept(name) => (News, cameras::kept(lang, &sanitize::escaped(name))),
             Self::NothingToSwap => (News, compare::texts(lang).no_sides.to_owned()),
             Self::OtherScene(path) => (News, compare::other_scene(lang, &sanitize::path(path))),
             Self::AddressFirst => (News, sharing::texts(lang).address_first.to_owned()),

@@ -13,9 +13,8 @@ use crate::document::Document;
 use crate::exchange::Exchange;
 use crate::explain::Matrix;
 use crate::explained::Explained;
-use crate::figure::Figure;
 use crate::figure::points::free_name;
-use crate::figure::{Explanation, NamedPoint, Observers, ShownProbe};
+use crate::figure::{Explanation, Figure, NamedPoint, Observers, ShownProbe};
 use crate::follow::Follow;
 use crate::layout::asked_layout::AskedLayout;
 use crate::layout::view_history::ViewHistory;
@@ -28,6 +27,7 @@ use crate::scene_cache::SceneCache;
 use crate::scene_tree::{SceneTree, Selected};
 use crate::settings::Settings;
 use crate::shown::SeenBy;
+use crate::tools::{CameraList, LabelMode, PhotographTool};
 use camera_lab_words::messages::faults;
 use camera_lab_words::{Lang, told, window};
 
@@ -67,12 +67,16 @@ pub struct Model {
     pub follow: Follow,
     /// The part of the explanations that the views share.
     pub explained: Explained,
+    /// The mode in which labels are the author's.
+    pub label_mode: LabelMode,
+    /// The lines on the photograph, which determine the position of its camera.
+    pub photograph: PhotographTool,
+    /// The list of cameras.
+    pub cameras: CameraList,
     /// A running step.
     pub motion: Option<Motion>,
     /// Values that the parts of the window exchange from frame to frame.
     pub frame: Exchange,
-    /// Requests of features to others, performed once this frame's panels are drawn.
-    pub actions: Vec<Action>,
 }
 
 impl Model {
@@ -101,9 +105,11 @@ impl Model {
             operations: Operations::default(),
             follow: Follow::default(),
             explained: Explained::default(),
+            label_mode: LabelMode::default(),
+            photograph: PhotographTool::default(),
+            cameras: CameraList::default(),
             motion: None,
             frame: Exchange::default(),
-            actions: Vec::new(),
         }
     }
 
@@ -133,6 +139,13 @@ impl Model {
     pub fn show_explanation(&mut self, explanation: Explanation) {
         self.settings.panels_mut().show(Side::Explain);
         self.explained.show(explanation);
+        // The panel explains the stage that's chosen in the strip.
+        self.layout.strip |= explanation == Explanation::Stages;
+    }
+
+    /// Asks the window for an action, at the end of the frame.
+    pub fn request(&mut self, action: Action) {
+        self.frame.request = Some(action);
     }
 
     /// Adds a point of the world to the figure and follows it. If the point exists already, only follows it.
@@ -235,7 +248,8 @@ impl Model {
         self.show_screen(screen);
         self.frame.probe = None;
         self.message = None;
-        self.actions.push(Action::ForgetFigure);
+        self.photograph = PhotographTool::default();
+        self.cameras = CameraList::default();
     }
 
     /// True if the figure has changes that mustn't be lost.

@@ -1,7 +1,6 @@
 //! The scene in the pictures, rebuilt only when the figure's has changed. Mesh files are read beside the window's
 //! thread. Until a file is there, or if it can't be read, the rest of the scene is shown without it.
 
-use crate::Wake;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -13,16 +12,15 @@ use super::history::Revision;
 use crate::appearance::{HiddenLines, Texture, Theme};
 use crate::background::memo::Latest;
 use crate::background::worker::Running;
-use crate::clock;
 use crate::figure::Figure;
 use crate::progress::Progress;
-use crate::sanitize;
 use crate::scene::import::{Imported, read, read_texture};
 use crate::scene::{
     self, FileUse, MeshError, MeshFiles, MeshNotice, Preset, ReadError, ReadProblem, Scene, SceneError, SceneSpec,
     Shape, TextureError, TextureFault, TextureSource, Wanted,
 };
 use crate::views::SharedScene;
+use crate::{Wake, clock, sanitize};
 use camera_lab_files::{Carried, FigureFiles, FileAccess};
 
 /// More vertices and triangles than this take longer to look through than a frame has.

@@ -1,7 +1,7 @@
 //! The settings of the window.
 
 use crate::appearance::Theme;
-use crate::explained::conventions::Conventions;
+use crate::explained::Conventions;
 use crate::layout::{Panels, Tab, WindowPlace};
 use camera_lab_words::Lang;
 

@@ -1,14 +1,17 @@
 //! Checks beside the window's thread if another program has changed the figure's file.
 
-use crate::Wake;
 use std::path::PathBuf;
 use std::time::Duration;
 
 use crate::background::worker::Worker;
-use crate::clock;
 use crate::document::Document;
+use crate::history::Revision;
 use crate::progress::Progress;
+use crate::{Wake, clock};
 use camera_lab_files::{FileChange, Stamp, look};
+
+/// The content that another program has written into the figure's file. `None` if it's unreadable.
+pub type Theirs = Option<Vec<u8>>;
 
 /// A watched file.
 struct Watched {
@@ -23,6 +26,12 @@ pub struct Watch {
     worker: Worker<Watched, (PathBuf, String, FileChange)>,
     /// The file when it last held the text read or saved by the window.
     same: Option<(PathBuf, String, Stamp)>,
+    /// The document that the rest is about.
+    of: Option<Revision>,
+    /// The content of another program, while it has to be shown.
+    theirs: Option<Theirs>,
+    /// The content that the user has decided about, which isn't shown again.
+    decided: Option<Theirs>,
 }
 
 impl Default for Watch {
@@ -33,7 +42,7 @@ impl Default for Watch {
                 (path, source, found)
             }
         });
-        Self { worker, same: None }
+        Self { worker, same: None, of: None, theirs: None, decided: None }
     }
 }
 
@@ -47,16 +56,38 @@ impl Watch {
         self.worker.ask(window, 0, Watched { path, source, stamp });
     }
 
-    /// The result, once, if the document is still the same as when the file was checked.
-    pub fn take(&mut self, document: &Document) -> Option<FileChange> {
+    /// Takes the result, if the document is still the same as when the file was checked.
+    pub fn poll(&mut self, document: &Document) {
+        if self.of.replace(document.id()) != Some(document.id()) {
+            self.forget();
+        }
         let [done] = self.worker.take(Duration::ZERO);
-        let (path, source, found) = done?.outcome?;
+        let Some((path, source, found)) = done.and_then(|done| done.outcome) else { return };
         if document.path() != Some(&path) || document.source() != source {
-            return None;
+            return;
         }
-        if let FileChange::Same(stamp) = found {
-            self.same = Some((path, source, stamp));
+        match found {
+            FileChange::Other(theirs) if self.decided.as_ref() != Some(&theirs) => self.theirs = Some(theirs),
+            FileChange::Other(_) | FileChange::Gone => {}
+            FileChange::Same(stamp) => {
+                self.forget();
+                self.same = Some((path, source, stamp));
+            }
         }
-        Some(found)
+    }
+
+    /// The content of another program in the file of the document, until the user has decided about it.
+    pub fn theirs(&self, document: &Document) -> Option<&Theirs> {
+        self.theirs.as_ref().filter(|_| self.of == Some(document.id()))
+    }
+
+    /// Continues with the window's figure. The same content isn't shown again.
+    pub fn keep_mine(&mut self) {
+        self.decided = self.theirs.take();
+    }
+
+    /// Forgets the content of another program, because the file is the window's again.
+    pub fn forget(&mut self) {
+        (self.theirs, self.decided) = (None, None);
     }
 }

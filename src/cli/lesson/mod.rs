@@ -18,7 +18,8 @@ use crate::cli::args::words::{LangArg, TableFormat, written};
 use crate::cli::lesson::step_pictures::{Found, composite, files_of, scene, size_of};
 use crate::exercises::Entry;
 use crate::export::format::PictureFormat;
-use crate::figure::{Figure, write::to_toml};
+use crate::figure::Figure;
+use crate::figure::write::to_toml;
 use crate::inspect::json_text;
 use crate::lessons::{
     Goal, Lesson, Link, OpenLesson, Part, Question, Seen, Step, Subject, Task, exercises_of, families_of,
@@ -28,8 +29,7 @@ use crate::picture::{self, Composite, FileOptions};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::Scene;
-use camera_lab_files::share;
-use camera_lab_files::{self as files, FileError};
+use camera_lab_files::{self as files, FileError, share};
 use camera_lab_words::handout::{self, HandoutOptions, Scenes, views_of};
 use camera_lab_words::learn::lessons as texts;
 use camera_lab_words::{Lang, command_line, messages, pictures};

@@ -3,12 +3,12 @@
 mod table;
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
+pub use table::MENUS;
 
 use crate::gui::app::state::State;
 use crate::gui::kit::Command;
 use camera_lab_desk::Model;
 use camera_lab_words::window::Texts;
-pub use table::MENUS;
 
 /// A menu: its title, and its commands in groups with lines between them.
 #[derive(Debug)]
@@ -142,8 +142,7 @@ mod tests {
     use std::collections::HashSet;
 
     use super::*;
-    use crate::gui::kit::command::WITHOUT_VALUE;
-    use crate::gui::kit::keys;
+    use crate::gui::kit::keys::{self, WITHOUT_VALUE};
     use crate::views::observer::Viewpoint;
     use crate::views::{Arrangement, View};
     use camera_lab_desk::layout::{ObserverChange, Tab};

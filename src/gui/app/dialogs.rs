@@ -1,24 +1,22 @@
 //! The questions in the window.
 
+#[cfg(target_arch = "wasm32")]
+use crate::gui::app::web::third_party;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::{self, Id, Key, Modal, RichText};
 
-use super::about;
 use super::command::MENUS;
-use super::menu;
-use super::search;
-use crate::gui::app::file_flow;
+use super::{menu, search};
 use crate::gui::app::file_flow::file_kind::FileKind;
 use crate::gui::app::file_flow::questions::{Agreed, Changed, Dialog, DialogKind, FileFlow, Purpose};
 use crate::gui::app::file_flow::title_dialog::{self, Answer};
-use crate::gui::app::file_flow::{link_dialog, qr};
+use crate::gui::app::file_flow::{self, link_dialog, qr};
 use crate::gui::app::state::State;
 use crate::gui::export::export_dialog::{self, Choices};
 use crate::gui::gallery::{self, Chosen};
 use crate::gui::inspector::{coach, compare_dialog, scene};
-use crate::gui::kit::text_field::{self};
-use crate::gui::kit::{CANCEL, Command, Explained, Pressed, TextField, buttons, complaint, theme, written};
+use crate::gui::kit::{CANCEL, Command, Explained, Pressed, TextField, buttons, complaint, text_field, theme, written};
 use crate::gui::learn::{handout, lesson};
 use crate::gui::platform::native::Wanted;
 use crate::limits::MAX_TYPED;
@@ -27,9 +25,7 @@ use crate::scene::edit::Children;
 use camera_lab_desk::desk::Reply;
 use camera_lab_desk::{Comparison, Intent, LineOrigin, Model, Source};
 use camera_lab_words::learn::{exercise_window, lessons};
-use camera_lab_words::window::gallery as gallery_words;
-use camera_lab_words::window::{self, Texts};
-use camera_lab_words::window::{canvas, scenes, sharing};
+use camera_lab_words::window::{self, Texts, canvas, gallery as gallery_words, scenes, sharing};
 
 /// Shows the open question, if any, and acts on the answer. Returns a command to perform.
 pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
@@ -55,7 +51,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
         }
         Dialog::Compare(form) => {
             let draws = state.annotations.any();
-            let stays = compare_dialog::show(ctx, t, (&mut state.model, &mut state.camera_a), form, draws);
+            let stays = compare_dialog::show(ctx, t, &mut state.model, form, draws);
             // A command may have opened another one in between.
             if state.file_flow.dialog.is_none() {
                 state.file_flow.dialog = stays.map(Dialog::Compare);
@@ -154,7 +150,7 @@ fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog,
         }
         Dialog::Lessons => lesson::list(ui, &mut state.model, &state.learn).then_some(Dialog::Lessons),
         Dialog::Help => help(ui, t, &state.model, first).then_some(Dialog::Help),
-        Dialog::About => about::show(ui, t, first).then_some(Dialog::About),
+        Dialog::About => about(ui, t, first).then_some(Dialog::About),
         Dialog::Link => {
             link_dialog::show(ui, t, state, first);
             None
@@ -494,6 +490,36 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, first: bool) -> boo
                 ui.end_row();
             }
         });
+    });
+    ui.add_space(8.0);
+    matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing)
+}
+
+/// Names and licences of all libraries, and the texts of the licences, written by `.ci/third-party`.
+#[cfg(not(target_arch = "wasm32"))]
+#[expect(clippy::unnecessary_wraps, reason = "in a page the text arrives later")]
+fn third_party(_: &egui::Context) -> Option<&'static str> {
+    Some(include_str!("../../../THIRD-PARTY.md"))
+}
+
+/// The program: its version, its licence, and those of its components. They're built in, so a single copied file has
+/// them too. Only in a browser they stand beside the program, in its page. `first` is true when it has just been opened. False once it's closed.
+fn about(ui: &mut egui::Ui, t: &Texts, first: bool) -> bool {
+    ui.heading(format!("Camera Lab {}", env!("CARGO_PKG_VERSION")));
+    ui.add_space(6.0);
+    ui.label(t.about_text);
+    ui.label(t.about_licence);
+    ui.add_space(6.0);
+    let height = (ui.ctx().content_rect().height() - 220.0).max(80.0);
+    let lines: Vec<&str> = third_party(ui.ctx()).unwrap_or("…").lines().collect();
+    let row = ui.text_style_height(&egui::TextStyle::Small);
+    // At its full height from the first frame, or the dialog would grow for some frames.
+    let area = egui::ScrollArea::both().max_height(height).min_scrolled_height(height).auto_shrink(false);
+    area.show_rows(ui, row, lines.len(), |ui, range| {
+        ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+        for line in &lines[range] {
+            ui.label(RichText::new(*line).small());
+        }
     });
     ui.add_space(8.0);
     matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing)

@@ -5,7 +5,6 @@
 //! Save, Save as, Export ── which file? ── there already? changed by another program? read-only? ── ask ── do it ── then what was wanted
 //! ```
 
-pub(super) mod changed_file;
 pub(super) mod file_kind;
 pub(super) mod link_dialog;
 mod opening;
@@ -16,7 +15,6 @@ mod saving;
 mod sequence;
 pub mod title_dialog;
 
-use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -27,20 +25,23 @@ use crate::figure::read::parse;
 use crate::figure::update;
 use crate::gui::app::file_flow::file_kind::FileKind;
 use crate::gui::app::file_flow::opening::{mesh, open_shipped, photograph, texture};
-use crate::gui::app::file_flow::questions::{Agreed, Asking, Changed, Dialog, FileFlow, Purpose, Theirs, TitleForm};
-use crate::gui::app::file_flow::reading::{Content, ToRead};
+use crate::gui::app::file_flow::questions::{Agreed, Asking, Changed, Dialog, FileFlow, Purpose, TitleForm};
+use crate::gui::app::file_flow::reading::Take;
 use crate::gui::app::file_flow::saving::{Save, Saved};
 use crate::gui::app::file_flow::sequence::Search;
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportKind, Exporting, Task, save_chart};
-use crate::gui::inspector::state::compare;
+use crate::gui::inspector::state::compare::{self, CompareForm};
+use crate::gui::kit::frames;
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::picture::file_beside;
 use crate::scene::Shape;
 use crate::scene::import::MESH_ENDINGS;
 use camera_lab_desk::desk::{Losses, Need, Reply};
-use camera_lab_desk::{Document, ExportError, FileFor, Intent, MeshFor, Message, Model, NotExported, Source, Tab};
-use camera_lab_files::{self as files, FileChange, FileError, Overwrite, disk};
+use camera_lab_desk::{
+    Document, ExportError, FileFor, Intent, MeshFor, Message, Model, NotExported, Source, Tab, Theirs,
+};
+use camera_lab_files::{self as files, FileError, Overwrite, disk};
 
 /// Does what the user wants, after asking about all losses: text of a lesson that can't be saved, and changes of the
 /// figure. Every intent that replaces or closes a document comes through here.
@@ -78,35 +79,33 @@ fn meet(ctx: &egui::Context, state: &mut State, need: Need) {
         Need::AskAboutFigure => state.file_flow.dialog = Some(Dialog::Unsaved),
         Need::SaveFigure => save(ctx, state),
         Need::SaveText => ask(ctx, state, Purpose::LessonText),
-        Need::Do(intent) => perform(ctx, state, intent),
-        Need::Nothing => {}
-    }
-}
-
-/// Does what the user wants. Changes are lost, so only the desk's answer leads here.
-fn perform(ctx: &egui::Context, state: &mut State, intent: Intent) {
-    match intent {
-        Intent::New => {
+        // Changes are lost, so only the desk's answer leads here.
+        Need::Do(Intent::New) => {
             if let Ok(document) = Document::new(camera_lab_desk::document::fresh(), None) {
                 state.learn.take_over(&mut state.model, document);
             }
         }
-        Intent::Open => ask(ctx, state, Purpose::Open),
-        Intent::OpenPath(path) => open(ctx, state, &path),
-        Intent::Shipped(name) => open_shipped(&mut state.model, &mut state.learn, name),
-        Intent::Text(text) => match parse(&text).map(|figure| Document::new(figure, None)) {
+        Need::Do(Intent::Open) => ask(ctx, state, Purpose::Open),
+        Need::Do(Intent::OpenPath(path)) => open(ctx, state, &path),
+        Need::Do(Intent::Shipped(name)) => open_shipped(&mut state.model, &mut state.learn, name),
+        Need::Do(Intent::Text(text)) => match parse(&text).map(|figure| Document::new(figure, None)) {
             Ok(Ok(document)) => state.learn.take_over(&mut state.model, document),
             Ok(Err(error)) => state.model.say(Message::Camera(error)),
             // The program wrote it, for a camera that it had measured. A test opens every one.
             Err(_) => {}
         },
-        Intent::Lesson(open) => state.learn.play(&mut state.model, open),
-        Intent::LeaveLesson => state.learn.leave_lesson(&mut state.model),
-        Intent::WriteRecorded => state.learn.write_recorded(&mut state.model),
-        Intent::ReadLesson => state.learn.read_lesson_again(&mut state.model),
-        Intent::Reload => reload(ctx, state),
-        Intent::Restore(slot) => state.file_flow.restore = Some(slot),
-        Intent::Quit => quit(ctx, state),
+        Need::Do(Intent::Lesson(open)) => state.learn.play(&mut state.model, open),
+        Need::Do(Intent::LeaveLesson) => state.learn.leave_lesson(&mut state.model),
+        Need::Do(Intent::WriteRecorded) => state.learn.write_recorded(&mut state.model),
+        Need::Do(Intent::ReadLesson) => state.learn.read_lesson_again(&mut state.model),
+        Need::Do(Intent::Reload) => {
+            if let Some(path) = state.model.desk.shown.path().cloned() {
+                open(ctx, state, &path);
+            }
+        }
+        Need::Do(Intent::Restore(slot)) => state.file_flow.restore = Some(slot),
+        Need::Do(Intent::Quit) => quit(ctx, state),
+        Need::Nothing => {}
     }
 }
 
@@ -177,14 +176,7 @@ pub(in crate::gui) fn open_dialog(ctx: &egui::Context, file_flow: &mut FileFlow,
     }
 }
 
-/// Takes the answer of the system's dialog.
-fn take_answer(ctx: &egui::Context, state: &mut State) {
-    let asking = state.file_flow.asking.as_mut();
-    let Some(answer) = asking.and_then(|asking| asking.dialog.as_mut()?.poll()) else { return };
-    answered(ctx, state, answer);
-}
-
-/// Goes on with the answer. It belongs to the document that was shown when the question came up.
+/// Goes on with the answer of the system's dialog. It belongs to the document that was shown when the question came up.
 fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
     let Some(Asking { purpose, document, .. }) = state.file_flow.asking.take() else { return };
     let is_same = document == state.model.desk.shown.id();
@@ -251,7 +243,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::For(FileFor::Mesh(which)) => mesh(&mut state.model, which, path),
-        Purpose::For(FileFor::CompareWith) => read(ctx, state, ToRead::Compared(path.to_owned())),
+        Purpose::For(FileFor::CompareWith) => compare_with(ctx, state, path.to_owned()),
         Purpose::For(FileFor::Texture(object)) => texture(&mut state.model, &object, path),
         Purpose::For(FileFor::Photograph) => photograph(&mut state.model, path),
         Purpose::For(FileFor::Progress) => {
@@ -318,7 +310,10 @@ fn open(ctx: &egui::Context, state: &mut State, path: &Path) {
             state.learn.take_over(&mut state.model, kept);
             state.file_flow.look = true;
         }
-        None => read(ctx, state, ToRead::File(path.to_owned())),
+        None => {
+            let path = path.to_owned();
+            read(ctx, state, path.clone(), move || opening::read(path));
+        }
     }
 }
 
@@ -326,40 +321,36 @@ fn open(ctx: &egui::Context, state: &mut State, path: &Path) {
 pub fn step(ctx: &egui::Context, state: &mut State, forwards: bool) {
     state.model.desk.commit();
     let search = Search::of(&state.model, forwards);
-    read(ctx, state, ToRead::Next(search));
+    let folder = search.folder().map(Path::to_owned).unwrap_or_default();
+    read(ctx, state, folder, move || {
+        let found = search.find();
+        Box::new(move |_, state, _| sequence::show(state, found))
+    });
 }
 
-/// Reads a file. If it takes long, the window stays usable, and [`poll`] takes the content.
-fn read(ctx: &egui::Context, state: &mut State, wanted: ToRead) {
-    state.file_flow.reading.begin(ctx, &state.model, wanted);
+/// Compares with the figure in a file, and shows the comparison.
+fn compare_with(ctx: &egui::Context, state: &mut State, path: PathBuf) {
+    read(ctx, state, path.clone(), move || {
+        let opened = files::open_figure_with_any_camera(&path).map(|(opened, _)| opened);
+        Box::new(move |_, state, _| {
+            if compare::with_file(&mut state.model, &path, opened) {
+                state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.model.desk.shown.figure())));
+            }
+        })
+    });
+}
+
+/// Reads a file. If it takes long, the window stays usable, and [`poll`] goes on with it.
+fn read(ctx: &egui::Context, state: &mut State, path: PathBuf, read: impl FnOnce() -> Take + Send + 'static) {
+    state.file_flow.reading.begin(ctx, &state.model, path, Box::new(read));
     take_content(ctx, state, state.file_flow.reading.patience);
 }
 
 /// Goes on with a file that was read.
 fn take_content(ctx: &egui::Context, state: &mut State, patience: Duration) {
-    let Some((content, is_changed)) = state.file_flow.reading.take(&state.model, patience) else { return };
-    match content {
-        // The user changed the figure after the question about changes.
-        Content::Lesson(path, _) | Content::Figure(path, _) if is_changed && state.model.is_unsaved() => {
-            begin(ctx, state, Intent::OpenPath(path));
-        }
-        Content::Lesson(path, lesson) => opening::lesson(state, path, lesson),
-        Content::Figure(path, figure) => opening::figure(state, path, figure),
-        Content::Compared(path, figure) => compare::with_file(&mut state.model, &path, figure),
-        Content::Next(found) => sequence::show(state, *found),
+    if let Some((take, is_changed)) = state.file_flow.reading.take(&state.model, patience) {
+        take(ctx, state, is_changed);
     }
-}
-
-/// Reads the figure's own file again, and continues with it.
-fn reload(ctx: &egui::Context, state: &mut State) {
-    if let Some(path) = state.model.desk.shown.path().cloned() {
-        open(ctx, state, &path);
-    }
-}
-
-/// Continues with the window's figure although the file holds another one. Doesn't ask about the same content again.
-pub fn keep_mine(file_flow: &mut FileFlow) {
-    file_flow.decided = file_flow.theirs.take();
 }
 
 /// Asks about the content of another program in the figure's file.
@@ -413,7 +404,7 @@ fn take_saved(ctx: &egui::Context, state: &mut State, patience: Duration) {
             state.recent.add(&path);
             say_saved(&mut state.model, path);
             if is_shown {
-                (state.file_flow.theirs, state.file_flow.decided) = (None, None);
+                state.file_flow.watch.forget();
                 if for_errand {
                     go_on(ctx, state);
                 }
@@ -443,19 +434,14 @@ fn watch(ctx: &egui::Context, model: &Model, file_flow: &mut FileFlow) {
     if std::mem::take(&mut file_flow.look) || focused {
         file_flow.watch.begin(&frames(ctx), &model.desk.shown);
     }
-    match file_flow.watch.take(&model.desk.shown) {
-        Some(FileChange::Other(theirs)) if file_flow.decided.as_ref() != Some(&theirs) => {
-            file_flow.theirs = Some(theirs);
-        }
-        // The file is as it was, so there is nothing left to report.
-        Some(FileChange::Same(_)) => (file_flow.theirs, file_flow.decided) = (None, None),
-        Some(FileChange::Other(_) | FileChange::Gone) | None => {}
-    }
+    file_flow.watch.poll(&model.desk.shown);
 }
 
 /// The automatic part of each frame: answers of dialogs and of exports, dropped files, the window's own close button.
 pub fn poll(ctx: &egui::Context, state: &mut State) {
-    take_answer(ctx, state);
+    if let Some(answer) = state.file_flow.asking.as_mut().and_then(|asking| asking.dialog.as_mut()?.poll()) {
+        answered(ctx, state, answer);
+    }
     take_content(ctx, state, Duration::ZERO);
     take_saved(ctx, state, Duration::ZERO);
     take_exports(ctx, &mut state.model, &mut state.file_flow);

@@ -5,24 +5,24 @@
 //! of the pointer, and the pictures mark it in the same frame. Dialogs lie over both. After everything has been shown,
 //! the changes are committed and handed to the threads that write files.
 
-use crate::gui::kit::focus::{self};
-use crate::gui::kit::frames::frames;
-use crate::gui::kit::{Command, Region, context_help, text_field, tooltip};
 use std::time::Duration;
 
 use eframe::egui;
 
-use super::{App, actions, dialogs, menu, presentation, status};
-use crate::gui::app::file_flow::{self, changed_file};
-use crate::gui::app::state::State;
+use super::state::State;
+use super::{App, dialogs, menu, presentation, status};
+use crate::gui::app::file_flow::questions::{Dialog, Purpose};
+use crate::gui::app::file_flow::{self, ask, begin};
+use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::inspector::{numerics, operations, parameters, values};
+use crate::gui::kit::{Command, Region, context_help, focus, frames, text_field, tooltip};
 use crate::gui::learn::{exercises, lesson};
 use crate::gui::pictures::long_work::is_long;
 use crate::gui::pictures::{Canvas, Inputs, motion};
 use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session_news;
 use crate::gui::why;
-use camera_lab_desk::{Intent, Kept, Model, PanelHover, Side};
+use camera_lab_desk::{Action, Intent, Kept, Model, PanelHover, Side};
 use camera_lab_words::window::{self, Texts};
 
 /// Below this width, in points, there is room for only one panel beside the pictures.
@@ -56,18 +56,16 @@ impl App {
         self.caret.follow(ctx);
         motion::advance(ctx, &mut self.state.model);
         lesson::advance(ctx, &mut self.state.model, &mut self.state.learn, self.state.file_flow.is_asking());
-        self.act(ctx);
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.model.desk.commit();
         }
         self.focus.begin(ctx, self.state.file_flow.is_asking());
         file_flow::poll(ctx, &mut self.state);
-        self.act(ctx);
         let of_files = self.state.file_flow.running(self.state.model.settings.lang);
         if !self.state.file_flow.is_asking() && self.canvas.listen_for_cancel(ctx, &mut self.state.model, &of_files) {
             self.state.file_flow.cancel(is_long);
         }
-        if !self.canvas.holds_something(&self.state.model, &self.state.label_mode, &self.state.photograph)
+        if !self.canvas.holds_something(&self.state.model)
             && let Some(command) =
                 presentation::escape(ctx, &self.state.model, &self.state.file_flow, &self.state.annotations)
         {
@@ -91,11 +89,6 @@ impl App {
         }
     }
 
-    /// Performs the requests of features to each other.
-    pub(super) fn act(&mut self, ctx: &egui::Context) {
-        actions::perform(ctx, &mut self.state);
-    }
-
     /// Bars and panels around the pictures.
     fn panels(&mut self, ui: &mut egui::Ui) -> Called {
         let ctx = ui.ctx().clone();
@@ -117,14 +110,12 @@ impl App {
             presentation::caption(ui, &self.state.model);
         }
         let of_lesson = lesson::panel(ui, &mut self.state.model, &mut self.state.learn);
-        self.act(&ctx);
         self.side_panels(ui, t);
         tooltip::beside_nothing(&ctx);
         if let Some(note) = context_help::called(&ctx) {
             self.state.explain.explain_by_note(&mut self.state.model, note);
         }
         motion::show_done(&ctx, &mut self.state.model);
-        self.act(&ctx);
         self.state.model.follow_panels();
         self.state.model.frame.answered = self.state.learn.exercises.answered_camera();
         Called { of_bar, of_lesson }
@@ -134,12 +125,11 @@ impl App {
     fn notices(&mut self, ui: &mut egui::Ui) {
         self.recovery(ui);
         session_news::bar(ui, self.state.model.settings.lang, &mut self.state.file_flow.news);
-        changed_file::bar(ui, &mut self.state);
+        status::changed_file(ui, &mut self.state);
         if let Some(command) = lesson::welcome(ui, &mut self.state.model, &mut self.state.learn) {
             self.perform(ui.ctx(), command);
         }
         lesson::go_on(ui, &mut self.state.model, &mut self.state.learn);
-        self.act(ui.ctx());
     }
 
     /// The open panels: studies below, parameters at the left, operations and explanations at the right.
@@ -156,7 +146,7 @@ impl App {
             egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
-                parameters::ui(ui, &mut self.state.model, &mut self.state.photograph, &mut self.state.cameras);
+                parameters::ui(ui, &mut self.state.model);
             });
             name_handle(ui, "parameters", t.panel_width);
         }
@@ -228,13 +218,13 @@ impl App {
         }
     }
 
-    /// A question or a form over the window, and the sign for a dropped file.
+    /// A question or a form over the window, the action that a feature has requested, and the sign for a dropped file.
     fn dialogs(&mut self, ctx: &egui::Context) {
         if let Some(command) = dialogs::show(ctx, &mut self.state) {
             self.perform(ctx, command);
             ctx.request_repaint();
         }
-        self.act(ctx);
+        perform_request(ctx, &mut self.state);
         drop_hint(ctx, &self.state.model);
         self.resting.show(ctx, self.state.model.settings.presentation);
         self.focus.end(ctx);
@@ -274,7 +264,7 @@ impl App {
         let Some(sessions) = &mut self.sessions else { return };
         let decision = recovery::list(ui, self.state.model.settings.lang, sessions.left());
         match decision {
-            Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, Intent::Restore(slot)),
+            Some(Decision::Restore(slot)) => begin(ui.ctx(), &mut self.state, Intent::Restore(slot)),
             Some(Decision::Discard(slot)) => sessions.discard(slot),
             None => {}
         }
@@ -286,11 +276,13 @@ impl App {
     }
 }
 
-/// Shows the pictures with their inputs from other features, then performs the resulting actions.
+/// Shows the pictures with their inputs from other features, and hands on the mark that the user puts there.
 pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
-    let State { model, learn, annotations, explain, file_flow, label_mode, photograph, .. } = state;
-    let inputs = Inputs {
-        placing: learn.placing(model),
+    let State { model, learn, annotations, explain, file_flow, .. } = state;
+    let placing = learn.placing(model);
+    let mark = placing.as_ref().and_then(|placing| placing.mark);
+    let mut inputs = Inputs {
+        placing,
         fades: learn.lesson.as_ref().map_or(0, |playing| playing.fades),
         keys: presentation::keys(ui.ctx(), model, learn, annotations),
         frozen: annotations.frozen,
@@ -300,8 +292,12 @@ pub fn pictures(ui: &mut egui::Ui, canvas: &mut Canvas, state: &mut State) {
             why::clicked(ctx, model, explain, request, pointer, triangle)
         },
     };
-    canvas.ui(ui, model, (label_mode, photograph), inputs);
-    actions::perform(ui.ctx(), state);
+    canvas.ui(ui, model, &mut inputs);
+    if let Some(placing) = inputs.placing
+        && let Some(place) = placing.mark.filter(|place| mark != Some(*place))
+    {
+        learn.put_mark(model, &placing.of, place);
+    }
 }
 
 /// Names the handle of a panel in the language of the window, because egui's own name for it is English.
@@ -321,4 +317,29 @@ fn drop_hint(ctx: &egui::Context, model: &Model) {
     let text = window::texts(model.settings.lang).drop_here;
     let font = egui::FontId::proportional(24.0);
     painter.text(rect.center(), egui::Align2::CENTER_CENTER, text, font, visuals.text_color());
+}
+
+/// Performs the action that was requested in this frame, if any.
+fn perform_request(ctx: &egui::Context, state: &mut State) {
+    let Some(action) = state.model.frame.request.take() else { return };
+    ctx.request_repaint();
+    let dialog = match action {
+        Action::File(file) => return ask(ctx, state, Purpose::For(file)),
+        Action::Begin(next) => return begin(ctx, state, next),
+        Action::Offered(open) => {
+            begin(ctx, state, Intent::Lesson(open));
+            // It stays if the question about changes is open.
+            if state.learn.lesson.is_some() {
+                state.learn.take_offer(&mut state.model);
+            }
+            return;
+        }
+        Action::Note(note) => return state.explain.explain_by_note(&mut state.model, note),
+        Action::Lessons => Dialog::Lessons,
+        Action::Delete { names, below } => Dialog::Delete { names, below },
+        Action::DeleteProgress => Dialog::DeleteProgress,
+        Action::Coach => Dialog::Coach,
+        Action::Compare => Dialog::Compare(CompareForm::of(state.model.desk.shown.figure())),
+    };
+    state.file_flow.dialog = Some(dialog);
 }

@@ -94,8 +94,7 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
-    use crate::gui::Start;
-    use crate::gui::State;
+    use crate::gui::{Start, State};
 
     #[test]
     fn an_address_sets_options_and_reports_unknown_ones() {

@@ -2,8 +2,6 @@
 //!
 //! Only this module uses features, in order, and only its functions take the whole state of the window.
 
-pub(super) mod about;
-mod actions;
 pub mod command;
 pub mod dialogs;
 pub mod file_flow;
@@ -13,8 +11,7 @@ pub mod launch_options;
 pub mod menu;
 pub mod preferences;
 pub(super) mod presentation;
-pub(super) mod search;
-pub(super) mod search_state;
+pub mod search;
 pub mod state;
 pub mod status;
 pub(super) mod tab_order;
@@ -145,6 +142,10 @@ impl App {
 
     /// Removes from the input the first key press that calls a command, and returns the command.
     fn keyboard(&self, ctx: &egui::Context) -> Option<Command> {
+        let is_press = |event: &egui::Event| matches!(event, egui::Event::Key { pressed: true, .. });
+        if !ctx.input(|input| input.events.iter().any(is_press)) {
+            return None;
+        }
         let typing = ctx.text_edit_focused();
         // On a Mac, Option writes accents and signs.
         let writes = |keys: &KeyboardShortcut| {
@@ -185,7 +186,6 @@ impl App {
     /// Performs a command of a menu or the keyboard.
     fn perform(&mut self, ctx: &egui::Context, command: Command) {
         command.run(&mut self.state, ctx);
-        self.act(ctx);
     }
 
     /// Lets links in texts, which may have another author, open only pages and mail, but no files or programs of this

@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
+use eframe::egui::text::LayoutJob;
 use eframe::egui::{
     self, Area, Color32, Context, CursorIcon, Event, FontId, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order,
-    Pos2, RawInput, Rect, Sense, Shape, Stroke, TextStyle, Ui, text::LayoutJob, vec2,
+    Pos2, RawInput, Rect, Sense, Shape, Stroke, TextStyle, Ui, vec2,
 };
 
 use super::menu;

@@ -1,15 +1,15 @@
 //! One search for everything in the window: commands, parameters, explanations, matrices, notes, exercises, figures.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use eframe::egui::{self, Align, Button, Key, Modifiers, RichText, Role, Ui, WidgetInfo};
 
 use crate::camera::{Descriptor, Freedom, OPERATIONS};
 use crate::explain::Matrix;
-use crate::figure::Explanation;
+use crate::figure::{Explanation, KEYS};
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::Dialog;
-use crate::gui::app::search_state::Search;
 use crate::gui::app::state::State;
 use crate::gui::inspector::operations;
 use crate::gui::kit::{Command, Explained, TextField, number_field, theme, written};
@@ -18,23 +18,30 @@ use crate::gui::learn::exercises::list;
 use crate::gui::why;
 use crate::lessons::{OpenLesson, shipped};
 use crate::limits::MAX_TYPED_NAME;
-use camera_lab_desk::{Intent, Model, Side, Tab};
+use camera_lab_desk::{Intent, Memo, Model, ObserverChange, Side, Tab};
 use camera_lab_files::SHIPPED_FIGURES;
 use camera_lab_words::learn::exercises as exercise_words;
 use camera_lab_words::why::{explain as explain_words, notes};
-use camera_lab_words::window::cameras;
-use camera_lab_words::window::coach as coach_words;
-use camera_lab_words::window::photograph;
-use camera_lab_words::window::predict;
-use camera_lab_words::window::search as words;
 use camera_lab_words::window::search::{also_called, folded, has_words};
-use camera_lab_words::{Lang, told, window};
+use camera_lab_words::window::{self, cameras, coach as coach_words, photograph, predict, search as words};
+use camera_lab_words::{Lang, told};
 
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;
 
 /// Number of results that are listed.
 const MOST: usize = 60;
+
+/// The words of the search, and its results.
+#[derive(Clone, Debug, Default)]
+pub struct Search {
+    /// The typed words.
+    pub wanted: String,
+    /// The place of the result that Enter opens.
+    pub chosen: usize,
+    /// The results by the words and the language, as long as it's open. Nothing behind it changes meanwhile.
+    results: Memo<(String, Lang), Arc<[Entry]>>,
+}
 
 /// The target of a result.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,6 +65,7 @@ enum Target {
 }
 
 /// Something that can be found.
+#[derive(Debug)]
 struct Entry {
     target: Target,
     /// The word for its kind.
@@ -83,6 +91,79 @@ const PARAMETERS: [Parameter; 11] = [
     (Tab::Camera, "", |t| t.window),
     (Tab::Camera, "", |t| t.viewport),
 ];
+
+/// The place of a key of figure files in the window. A name of a section counts for its keys without a row of their own.
+type Home = (&'static str, fn(&window::Texts) -> Target);
+
+const HOMES: &[Home] = &[
+    ("title", |_| Target::Command(Command::Title)),
+    ("caption", |_| Target::Command(Command::Title)),
+    ("camera.position", |_| Target::Parameter(Tab::Camera, "C x")),
+    ("camera.focal_point", |_| Target::Parameter(Tab::Camera, "PF x")),
+    ("camera.view_up", |_| Target::Parameter(Tab::Camera, "VUP x")),
+    ("camera.view_angle", |_| Target::Parameter(Tab::Camera, "θ")),
+    ("camera.height", |_| Target::Parameter(Tab::Camera, "H")),
+    ("camera.aspect", |_| Target::Parameter(Tab::Camera, "A")),
+    ("camera.near", |_| Target::Parameter(Tab::Camera, "F")),
+    ("camera.far", |_| Target::Parameter(Tab::Camera, "B")),
+    ("camera", |_| Target::Parameter(Tab::Camera, "")),
+    ("cameras", |t| Target::Parameter(Tab::Camera, cameras::texts(t.lang).add)),
+    ("image.photograph", |t| Target::Parameter(Tab::Camera, photograph::texts(t.lang).choose_title)),
+    ("image.photograph_opacity", |t| Target::Parameter(Tab::Camera, photograph::texts(t.lang).opacity)),
+    ("image", |_| Target::Parameter(Tab::Camera, "m")),
+    ("viewport", |_| Target::Parameter(Tab::Camera, "")),
+    ("scene", |_| Target::Parameter(Tab::Scene, "")),
+    ("points", |_| Target::Explanation(Explanation::Point)),
+    ("style.shading", |t| Target::Parameter(Tab::Drawing, t.shading)),
+    ("style.visibility", |_| Target::Explanation(Explanation::HiddenSurfaces)),
+    ("style.hidden_lines", |t| Target::Parameter(Tab::Drawing, t.hidden_lines)),
+    ("style.antialias", |t| Target::Parameter(Tab::Drawing, t.antialias)),
+    ("style.theme", |t| Target::Parameter(Tab::Drawing, t.file_theme)),
+    ("style.depth_format", |_| Target::Explanation(Explanation::Depth)),
+    ("reveal.depth", |_| Target::Explanation(Explanation::Depth)),
+    ("reveal.outside", |_| Target::Explanation(Explanation::Clipping)),
+    ("reveal.clipping", |_| Target::Explanation(Explanation::Clipping)),
+    ("reveal.divide_first", |_| Target::Explanation(Explanation::Clipping)),
+    ("reveal.culled", |_| Target::Explanation(Explanation::HiddenSurfaces)),
+    ("reveal.vanishing", |_| Target::Explanation(Explanation::Homogeneous)),
+    ("reveal.single_precision", |_| Target::Command(Command::Numerics)),
+    ("reveal", |_| Target::Parameter(Tab::Scene, "")),
+    ("world.section", |_| Target::Command(Command::Section)),
+    ("world.dimensions", |_| Target::Command(Command::Dimensions)),
+    ("world.window_opacity", |t| Target::Parameter(Tab::Drawing, t.window_opacity)),
+    ("world.axes_length", |t| Target::Parameter(Tab::Drawing, t.axes_length)),
+    ("world", |_| Target::Parameter(Tab::Drawing, "")),
+    ("observers", |_| Target::Command(Command::Observe(ObserverChange::Fit))),
+    ("show.operations", |t| Target::AmongOperations(t.keep_operation)),
+    ("show.stage", |_| Target::Explanation(Explanation::Stages)),
+    ("show.stage_of", |_| Target::Explanation(Explanation::Stages)),
+    ("show.painted", |_| Target::Explanation(Explanation::HiddenSurfaces)),
+    ("show.step", |_| Target::Explanation(Explanation::Steps)),
+    ("show.triangle", |_| Target::Explanation(Explanation::Triangle)),
+    ("show.probe", |_| Target::Explanation(Explanation::Point)),
+    ("show.order", |_| Target::Explanation(Explanation::Order)),
+    ("show.ndc", |_| Target::Explanation(Explanation::Conventions)),
+    ("show.answer", |_| Target::Explanation(Explanation::Exercises)),
+    ("show", |_| Target::Explanation(Explanation::Matrices)),
+    ("screen", |_| Target::Command(Command::Arrange(None))),
+    ("compare", |_| Target::Command(Command::Compare)),
+    ("labels", |_| Target::Command(Command::Labels)),
+];
+
+/// The place of a key in the window.
+fn home(key: &str, t: &window::Texts) -> Option<Target> {
+    let is_of = |name: &str| key.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+    HOMES.iter().find(|(name, _)| is_of(name)).map(|(_, target)| target(t))
+}
+
+/// The keys of figure files. They're names for a file, so they count only once a name like them is typed.
+fn keys(lang: Lang, wanted: &str) -> Vec<Entry> {
+    if !wanted.contains(['.', '_']) {
+        return Vec::new();
+    }
+    let (kind, t) = (words::texts(lang).key, window::texts(lang));
+    KEYS.iter().filter_map(|key| Some(Entry::new(home(key, t)?, kind, key.as_str(), ""))).collect()
+}
 
 /// A matrix and its name among the texts of the window.
 type NamedMatrix = (Matrix, fn(&window::Texts) -> &'static str);
@@ -173,7 +254,6 @@ fn controls(lang: Lang) -> Vec<Entry> {
         drawing(t.window_opacity, t.window_opacity_hint),
         drawing(t.axes_length, t.axes_length_hint),
         among_cameras(of_cameras.add, of_cameras.add, of_cameras.add_hint),
-        among_cameras(of_cameras.before, of_cameras.before, of_cameras.before_hint),
         among_cameras(of_cameras.pair, of_cameras.pair, of_cameras.pair_hint),
         among_cameras(of_photograph.choose_title, of_photograph.photograph, of_photograph.hint),
         among_operations(of_predict.switch, of_predict.switch_hint),
@@ -182,8 +262,8 @@ fn controls(lang: Lang) -> Vec<Entry> {
 }
 
 /// The results, best first: the words begin the title, are in it, or are elsewhere, and then the same by other names.
-fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
-    let called = also_called(&search.wanted);
+fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[Entry]> {
+    let called = also_called(wanted);
     // The ways of shading are its choices.
     let shading = Target::Parameter(Tab::Drawing, window::texts(model.settings.lang).shading);
     let rank = |entry: &Entry| {
@@ -203,8 +283,8 @@ fn found(model: &Model, learn: &Learn, search: &Search) -> Vec<Entry> {
         let others = called.iter().skip(1).filter_map(|name| of_name(name)).min().map(|rank: usize| rank.max(1) + 1);
         [own, others].into_iter().flatten().min()
     };
-    let mut ranked: Vec<_> =
-        entries(model, learn).into_iter().filter_map(|entry| Some((rank(&entry)?, entry))).collect();
+    let all = entries(model, learn).into_iter().chain(keys(model.settings.lang, wanted));
+    let mut ranked: Vec<_> = all.filter_map(|entry| Some((rank(&entry)?, entry))).collect();
     ranked.sort_by_key(|(rank, _)| *rank);
     ranked.into_iter().take(MOST).map(|(_, entry)| entry).collect()
 }
@@ -216,7 +296,9 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
     let lang = state.model.settings.lang;
     let t = words::texts(lang);
     ui.heading(t.title);
-    let results = found(&state.model, &state.learn, &state.search);
+    let State { model, learn, search, .. } = &mut *state;
+    let results = search.results.of((search.wanted.clone(), lang), |(wanted, _)| found(model, learn, wanted));
+    let results = Arc::clone(results);
     let last = results.len().saturating_sub(1);
     let before = state.search.wanted.clone();
     let (mut chosen, enter) = ui.input_mut(|input| {
@@ -294,7 +376,7 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
         Target::Parameter(tab, field) => {
             state.model.settings.tab = tab;
             let t = cameras::texts(state.model.settings.lang);
-            state.cameras.was_called |= [t.add, t.before, t.pair].contains(&field);
+            state.model.cameras.was_called |= [t.add, t.pair].contains(&field);
             state.model.settings.panels_mut().show(Side::Left);
             if !field.is_empty() {
                 number_field::take_keyboard(ctx, field);
@@ -339,14 +421,24 @@ mod tests {
 
     /// The first results for some words, by title.
     fn titles(lang: Lang, wanted: &str) -> Vec<String> {
-        let mut state =
-            State::new(crate::gui::Start { lang, ..crate::gui::Start::default() }).expect("nothing is opened");
-        state.search.wanted = wanted.to_owned();
-        found(&state.model, &state.learn, &state.search)
-            .into_iter()
-            .take(3)
-            .map(|entry| entry.title.into_owned())
-            .collect()
+        let start = crate::gui::Start { lang, ..crate::gui::Start::default() };
+        let state = State::new(start).expect("nothing is opened");
+        found(&state.model, &state.learn, wanted).iter().take(3).map(|entry| entry.title.clone().into_owned()).collect()
+    }
+
+    #[test]
+    fn every_key_of_figure_files_leads_to_a_control() {
+        for lang in [Lang::En, Lang::PtBr] {
+            let t = window::texts(lang);
+            let homeless: Vec<_> = KEYS.iter().filter(|key| home(key, t).is_none()).collect();
+            assert!(homeless.is_empty(), "{homeless:?}");
+            for (name, _) in HOMES {
+                let is_of = |key: &String| key == name || key.starts_with(&format!("{name}."));
+                assert!(KEYS.iter().any(is_of), "{name} is no key");
+            }
+            assert_eq!(titles(lang, "style.antialias"), ["style.antialias"]);
+            assert_eq!(home("style.antialias", t), Some(Target::Parameter(Tab::Drawing, t.antialias)));
+        }
     }
 
     #[test]

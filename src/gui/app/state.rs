@@ -1,22 +1,19 @@
 //! The whole state of the window: the model, and the state of each feature.
 
-use std::sync::Arc;
-
 use crate::camera::CameraError;
 use crate::figure::Figure;
 use crate::gui::Start;
 use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
-use crate::gui::app::search_state::Search;
+use crate::gui::app::search::Search;
 use crate::gui::export::Export;
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::gallery::Gallery;
 use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::learn::Learn;
 use crate::gui::pictures::annotations::Annotations;
-use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::why::state::explain::Explain;
 use crate::views::{View, Views};
-use camera_lab_desk::{CameraList, Desk, Document, Intent, Memo, Model, PhotographTool, Recent};
+use camera_lab_desk::{Desk, Document, Intent, Memo, Model, Recent};
 use camera_lab_files::share::ShareError;
 use camera_lab_files::{SourceFile, figure_from};
 
@@ -43,22 +40,14 @@ pub struct State {
     pub(in crate::gui) exported_of: Option<Views>,
     /// The exported family.
     pub family: FamilyChoice,
-    /// The figure whose camera was kept as A.
-    pub camera_a: Option<Arc<Figure>>,
     /// Annotations over the pictures.
     pub annotations: Annotations,
-    /// The mode in which labels are the author's.
-    pub label_mode: LabelMode,
-    /// The lines on the photograph, which determine the position of its camera.
-    pub photograph: PhotographTool,
     /// The studies of error against run time.
     pub numerics: Numerics,
     /// The side of explanations.
     pub explain: Explain,
     /// Exercises and lessons.
     pub learn: Learn,
-    /// The list of cameras.
-    pub cameras: CameraList,
     /// The link that a dialog shows, by the address and whether it holds a whole lesson. Computed when the dialog is
     /// opened, since nothing behind it changes.
     pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
@@ -100,20 +89,15 @@ impl State {
             export: Export::new([[640, 480]; View::COUNT], 1.0),
             exported_of: None,
             family: FamilyChoice::default(),
-            camera_a: None,
             annotations: Annotations::default(),
-            label_mode: LabelMode::default(),
-            photograph: PhotographTool::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),
             learn: Learn::default(),
-            cameras: CameraList::default(),
             shown_link: Memo::default(),
         };
         state.model.show_screen(screen);
         if let Some(open) = start.lesson {
             state.learn.play(&mut state.model, open);
-            state.model.actions.clear();
         }
         Ok(state)
     }

@@ -10,9 +10,8 @@ use crate::export::format::PictureFormat;
 use crate::export::paper::PaperPreset;
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::export::{Export, ExportSource, Paper, as_letters};
-use crate::gui::kit::number_field::{self};
 use crate::gui::kit::{
-    Explained, FieldError, NumberField, Pressed, Step, buttons, choice, choice_row, complaint, row, whole,
+    Explained, FieldError, NumberField, Pressed, Step, buttons, choice, choice_row, complaint, number_field, row, whole,
 };
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::picture::Faces;

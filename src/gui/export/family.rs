@@ -3,8 +3,7 @@
 use eframe::egui::{self, Key};
 
 use super::family_choice::{FamilyChoice, Subject, Varied};
-use crate::gui::kit::text_field::{self};
-use crate::gui::kit::{Explained, TextField, choice, choice_row, number_field, row};
+use crate::gui::kit::{Explained, TextField, choice, choice_row, number_field, row, text_field};
 use crate::limits::MAX_TYPED_NAME;
 use camera_lab_words::families;
 use camera_lab_words::window::Texts;

@@ -5,7 +5,6 @@ pub(super) mod family;
 pub mod family_choice;
 pub mod preview;
 
-use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -18,10 +17,10 @@ use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
 use crate::export::plot::{Block, encode};
 use crate::export::vector::Letters;
-use crate::figure::Figure;
-use crate::figure::update;
 use crate::figure::variation::{Variation, VariationError, variants};
+use crate::figure::{Figure, update};
 use crate::gui::export::family_choice::FamilyChoice;
+use crate::gui::kit::frames;
 use crate::limits::{MAX_FAMILY, PAPER_LINES};
 use crate::numbers::round_to;
 use crate::picture::{

@@ -1,7 +1,6 @@
 //! The picture that the export dialog shows, and the one that it copies. They are drawn beside the window's thread, in
 //! the same way as the exported one.
 
-use crate::gui::kit::frames::frames;
 use std::time::Duration;
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -10,6 +9,7 @@ use super::family_choice::FamilyChoice;
 use crate::clock;
 use crate::export::format::PictureFormat;
 use crate::gui::export::{Export, ExportSource};
+use crate::gui::kit::frames;
 use crate::limits::MAX_COPIED_PIXELS;
 use crate::picture::{self, Crowded, FileOptions};
 use crate::progress::Progress;

@@ -3,22 +3,22 @@
 mod card;
 mod show;
 
-use crate::gui::kit::frames::frames;
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+pub use card::figures_in;
 use eframe::egui::{Context, TextureHandle, TextureOptions};
+pub(super) use show::{Chosen, show};
 
 use self::card::{CardJob, CardOutcome, CardText, work};
 use crate::appearance::Theme;
 use crate::clock;
+use crate::gui::kit::frames;
 use camera_lab_desk::{Source, Worker};
 use camera_lab_files::SHIPPED_FIGURES;
 use camera_lab_words::window::search::{folded, has_words};
 use camera_lab_words::{Lang, messages};
-pub use card::figures_in;
-pub(super) use show::{Chosen, show};
 
 /// A part of the gallery.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

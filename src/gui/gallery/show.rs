@@ -17,10 +17,10 @@ use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
 use camera_lab_desk::Source;
 use camera_lab_files::{ShippedFigure, Topic};
-use camera_lab_words::window::gallery as words;
+use camera_lab_words::Lang;
 use camera_lab_words::window::gallery::Texts;
 use camera_lab_words::window::search::also_called;
-use camera_lab_words::{Lang, window};
+use camera_lab_words::window::{self, gallery as words};
 
 /// An action after a frame.
 pub(in crate::gui) enum Chosen {

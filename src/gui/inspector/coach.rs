@@ -8,8 +8,7 @@ use crate::gui::kit::{CANCEL, Explained, Pressed, buttons, theme};
 use crate::numerics::diagnosis::{IN_A_WINDOW, Repair, changes};
 use crate::numerics::health::Level;
 use camera_lab_desk::{Advice, Model};
-use camera_lab_words::window::Texts;
-use camera_lab_words::window::coach as words;
+use camera_lab_words::window::{Texts, coach as words};
 
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 720.0;

@@ -1,27 +1,24 @@
 //! The dialog that compares the figure with itself in another way. A choice is visible at once.
 
-use std::sync::Arc;
-
 use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2};
 
 use crate::camera::{Operation, Projection};
 use crate::figure::{Comparison, Figure, read};
 use crate::gui::inspector::complaint;
-use crate::gui::inspector::state::compare::{CompareForm, compared_with, end, in_window, keep_as_a, take};
+use crate::gui::inspector::state::compare::{CompareForm, compared_with, end, in_window, look, swap, take};
 use crate::gui::kit::{Explained, NumberField, TextField, at_right, toggle};
 use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
 use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_words::messages;
-use camera_lab_words::window::Texts;
-use camera_lab_words::window::compare as words;
 use camera_lab_words::window::compare::Texts as Words;
+use camera_lab_words::window::{Texts, compare as words};
 
 /// Shows the dialog in a movable window of its own. The pictures beside it show the choice, and stay usable. Returns
 /// the form while it stays open. While the user `draws` on the views, Esc is for that.
 pub(in crate::gui) fn show(
     ctx: &Context,
     t: &Texts,
-    (model, camera_a): (&mut Model, &mut Option<Arc<Figure>>),
+    model: &mut Model,
     form: CompareForm,
     draws: bool,
 ) -> Option<CompareForm> {
@@ -32,7 +29,7 @@ pub(in crate::gui) fn show(
     let window = Window::new(words.title).id(Id::unique("compare")).open(&mut open).collapsible(true).resizable(false);
     window.pivot(Align2::LEFT_BOTTOM).default_pos(corner).constrain(true).show(ctx, |ui| {
         ui.set_width(440.0_f32.min(ctx.content_rect().width() - 60.0));
-        kept = kept.take().and_then(|form| content(ui, t, model, camera_a, form));
+        kept = kept.take().and_then(|form| content(ui, t, model, form));
     });
     let is_left = ctx.input_mut(|input| !draws && input.consume_key(Modifiers::NONE, Key::Escape));
     let stays = kept.filter(|_| open && !is_left);
@@ -43,17 +40,11 @@ pub(in crate::gui) fn show(
 }
 
 /// The content of the window. Returns the form until it's closed.
-fn content(
-    ui: &mut Ui,
-    t: &Texts,
-    model: &mut Model,
-    camera_a: &mut Option<Arc<Figure>>,
-    mut form: CompareForm,
-) -> Option<CompareForm> {
+fn content(ui: &mut Ui, t: &Texts, model: &mut Model, mut form: CompareForm) -> Option<CompareForm> {
     let words = words::texts(model.settings.lang);
     ui.label(words.text);
     ui.add_space(6.0);
-    let mut chosen = others(ui, words, model, camera_a);
+    let mut chosen = others(ui, words, model);
     chosen = pairs(ui, words, model).or(chosen);
     chosen = angle(ui, t, words, model, &mut form).or(chosen);
     chosen = operation(ui, words, model, &mut form).or(chosen);
@@ -72,21 +63,12 @@ fn content(
     (!closes).then_some(form)
 }
 
-/// A kept camera, another file, and the figure as saved.
-fn others(ui: &mut Ui, words: &Words, model: &mut Model, camera_a: &mut Option<Arc<Figure>>) -> Option<Figure> {
+/// Another file, and the figure as saved.
+fn others(ui: &mut Ui, words: &Words, model: &mut Model) -> Option<Figure> {
     let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
-        if ui.button(words.keep_short).explained(words.keep_hint).clicked() {
-            keep_as_a(model, camera_a);
-        }
-        let with_a = ui.add_enabled(camera_a.is_some(), Button::new(words.with_a));
-        if with_a.explained(words.with_a_hint).explained_disabled(words.with_a_none).clicked()
-            && let Some(a) = camera_a.clone()
-        {
-            chosen = Some(compared_with(model, &a));
-        }
         if ui.button(words.with_file).explained(words.with_file_hint).clicked() {
-            model.actions.push(Action::File(FileFor::CompareWith));
+            model.request(Action::File(FileFor::CompareWith));
         }
         let with_saved = ui.add_enabled(model.desk.shown.is_changed(), Button::new(words.with_saved));
         if with_saved.explained(words.with_saved_hint).explained_disabled(words.with_saved_none).clicked() {
@@ -123,10 +105,10 @@ fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
                 if key == "camera.projection" {
                     give_other_projection(model, &mut figure);
                 }
-                let before = figure.compare.take().unwrap_or_default();
+                let look = look(&figure);
                 // The two boxes are side by side, so that each is visible as a whole.
                 let beside = key == "show.ndc";
-                chosen = Some(Comparison { beside, differences, ..before }.of_pair(&figure, key, pair));
+                chosen = Some(Comparison { beside, differences, ..look }.of_pair(&figure, key, pair));
             }
         }
     });
@@ -159,9 +141,8 @@ fn angle(ui: &mut Ui, t: &Texts, words: &Words, model: &Model, form: &mut Compar
         NumberField::angle(words.angle_hint, 5.0).within(1e-6..=179.9).width(80.0).show(ui, t, &mut form.angle);
         let is_changed = old.to_bits() != form.angle.to_bits() && on;
         let comparison = || {
-            let before = figure.compare.clone().unwrap_or_default();
             let other = Comparison::of_key("camera.view_angle", &crate::numbers::exact(form.angle));
-            Comparison { with: other.with, ops: Vec::new(), differences: false, ..before }
+            Comparison { with: other.with, differences: false, ..look(figure) }
         };
         (has_angle && (button.clicked() || is_changed))
             .then(|| Figure { compare: Some(comparison()), ..in_window(model) })
@@ -183,8 +164,8 @@ fn operation(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) 
         let changed = typed.accessible_name(words.operation_hint).changed();
         match form.operation.parse::<Operation>() {
             Ok(operation) if clicked || changed && on => {
-                let before = compared.cloned().unwrap_or_default();
-                let comparison = Comparison { with: Vec::new(), ops: vec![operation], differences: false, ..before };
+                let look = look(model.desk.shown.figure());
+                let comparison = Comparison { ops: vec![operation], differences: false, ..look };
                 chosen = Some(Figure { compare: Some(comparison), ..in_window(model) });
             }
             Ok(_) => {}
@@ -210,8 +191,7 @@ fn key(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) -> Opt
         let field = field.accessible_name(words.key_hint);
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         if let (Ok(typed), true) = (&typed, clicked || entered) {
-            let before = compared.cloned().unwrap_or_default();
-            let comparison = Comparison { with: typed.with.clone(), ops: Vec::new(), ..before };
+            let comparison = Comparison { with: typed.with.clone(), ..look(model.desk.shown.figure()) };
             chosen = Some(Figure { compare: Some(comparison), ..in_window(model) });
         }
     });
@@ -222,20 +202,19 @@ fn key(ui: &mut Ui, words: &Words, model: &Model, form: &mut CompareForm) -> Opt
 }
 
 /// The way in which it's compared.
-fn options(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
-    let compared = model.desk.shown.figure().compare.clone();
-    let old = compared.clone().unwrap_or_default();
+fn options(ui: &mut Ui, words: &Words, model: &mut Model) -> Option<Figure> {
+    let figure = in_window(model);
+    let old = figure.compare.clone().unwrap_or_default();
     let mut new = old.clone();
-    let mut swapped = None;
-    ui.add_enabled_ui(compared.is_some(), |ui| {
+    ui.add_enabled_ui(figure.compare.is_some(), |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.checkbox(&mut new.differences, words.differences).explained(words.differences_hint);
             ui.checkbox(&mut new.beside, words.beside).explained(words.beside_hint);
-            let figure = in_window(model);
-            let other = compared.as_ref().and_then(|comparison| comparison.swapped(&figure));
-            let button = ui.add_enabled(other.is_some(), Button::new(words.swap)).explained(words.swap_hint);
-            swapped = other.filter(|_| button.clicked());
+            let can_swap = figure.compare.as_ref().is_some_and(|comparison| comparison.swapped(&figure).is_some());
+            if ui.add_enabled(can_swap, Button::new(words.swap)).explained(words.swap_hint).clicked() {
+                swap(model);
+            }
         });
     });
-    swapped.or_else(|| (new != old).then(|| Figure { compare: Some(new), ..in_window(model) }))
+    (new != old).then_some(Figure { compare: Some(new), ..figure })
 }

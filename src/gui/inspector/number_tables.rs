@@ -311,8 +311,9 @@ mod tests {
 
     #[test]
     fn rows_and_the_left_hand_show_the_same_matrices() {
-        use crate::camera::{Camera, ImageSize, Parameters, ViewWindow};
         use glam::DMat4;
+
+        use crate::camera::{Camera, ImageSize, Parameters, ViewWindow};
         let window = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
         let camera = Camera::new(&Parameters { window, ..Parameters::default() }).unwrap();
         let report = Report::of(&camera.notes_clip_space(), ImageSize::default(), None, &[], &[]).unwrap();

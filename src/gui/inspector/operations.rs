@@ -2,11 +2,9 @@
 
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
-use super::predict;
-use super::{TEXT_LINE, complain, erratum, more, section};
+use super::{TEXT_LINE, complain, erratum, more, predict, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
-use crate::gui::kit::number_field::{self};
-use crate::gui::kit::{Explained, NumberField, Step, help_topic_row, theme};
+use crate::gui::kit::{Explained, NumberField, Step, help_topic_row, number_field, theme};
 use crate::numbers::DecimalMark;
 use crate::views::Ghost;
 use camera_lab_desk::{Model, Scrub, arrow};

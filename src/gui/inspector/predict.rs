@@ -7,9 +7,8 @@ use crate::gui::kit::{Explained, number_field, prose, theme};
 use camera_lab_desk::operations::predict::Change;
 use camera_lab_desk::{About, Model, Prediction};
 use camera_lab_words::learn::exercise_messages;
-use camera_lab_words::window::Texts as WindowTexts;
-use camera_lab_words::window::predict as words;
 use camera_lab_words::window::predict::Texts;
+use camera_lab_words::window::{Texts as WindowTexts, predict as words};
 
 /// Writes an operation with its value.
 type Written = fn(Operation, &WindowTexts) -> String;

@@ -2,15 +2,14 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{self, RichText, TextFormat, text::LayoutJob};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{self, RichText, TextFormat};
 
 use super::{TEXT_LINE, complain, erratum, kept_section, section};
 use crate::camera::Ndc;
 use crate::explain::Matrix;
-use crate::gui::inspector::number_tables;
-use crate::gui::inspector::number_tables::{GAP, Table, ndc_of, report, tables};
-use crate::gui::kit::context_help::{self};
-use crate::gui::kit::{Explained, NumberField, Step, brackets, help_topic, help_topic_row, theme, whole};
+use crate::gui::inspector::number_tables::{self, GAP, Table, ndc_of, report, tables};
+use crate::gui::kit::{Explained, NumberField, Step, brackets, context_help, help_topic, help_topic_row, theme, whole};
 use camera_lab_desk::Model;
 use camera_lab_words::why::conventions::differences;
 use camera_lab_words::why::{explain, notes};

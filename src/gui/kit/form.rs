@@ -3,11 +3,10 @@
 use eframe::egui::{self, CollapsingHeader, RichText};
 use glam::DVec3;
 
-use super::context_help;
 use super::focus::at_right;
 use super::number_field::{self, FieldOutput, NumberField, Step};
-use super::theme;
 use super::tooltip::Explained;
+use super::{context_help, theme};
 use camera_lab_words::Lang;
 use camera_lab_words::window::Texts;
 

@@ -2,6 +2,8 @@
 
 use eframe::egui::{Context, KeyboardShortcut};
 
+use crate::views::{Arrangement, View};
+use camera_lab_desk::{ObserverChange, Tab};
 use camera_lab_words::{Grammar, Lang};
 
 /// The Portuguese names of keys labelled with an English word.
@@ -30,6 +32,31 @@ pub(in crate::gui) fn written(ctx: &Context, keys: &KeyboardShortcut, lang: Lang
     };
     let own = IN_PORTUGUESE.iter().find(|(english, _)| *english == key);
     own.map_or_else(|| name.clone(), |(_, own)| format!("{before}{own}"))
+}
+
+/// The enum of the commands, and the list of those without a value.
+macro_rules! commands {
+    ($($plain:ident)*; $($valued:ident($value:ty))*) => {
+        /// A command of the user. `Arrange(None)` gives the pictures the arrangement that fits best.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[expect(missing_docs, reason = "what each does is said in its row, by its hint")]
+        pub enum Command {
+            $($plain,)*
+            $($valued($value),)*
+        }
+
+        #[cfg(test)]
+        pub(in crate::gui) const WITHOUT_VALUE: &[Command] = &[$(Command::$plain),*];
+    };
+}
+
+commands! {
+    New Open Gallery Recent Save SaveAs SaveWithFiles Title Export ExportFamily Handout ExerciseSheet CopyLink QrCode Search Quit Undo Redo Reset
+    CopyNumbers Language Theme ReduceMotion Presentation NextFigure PreviousFigure Pen
+    Spot Freeze Blank ClearAnnotations ZoomIn ZoomOut ZoomReset ParametersPanel NumbersPanel ViewBack ViewForward
+    Section Dimensions Compare KeepCamera SwapSides LinkOrbits Labels Pipeline Numerics Explain Exercises Lessons AddStep StepAgain
+    StepText StepQuestion StepNotes WriteLesson LeaveLesson Help About;
+    Tab(Tab) Show(View) Arrange(Option<Arrangement>) Observe(ObserverChange)
 }
 
 #[cfg(test)]

@@ -10,8 +10,8 @@ use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextWrapMode
 
 use crate::expression::{self, Dimension, ExpressionProblem};
 use crate::gui::kit::text_field::{self, TextField};
-use crate::gui::kit::tooltip::Explained;
-use crate::gui::kit::{theme, tooltip};
+use crate::gui::kit::theme;
+use crate::gui::kit::tooltip::{self, Explained};
 use crate::limits::MAX_EXPRESSION;
 use crate::numbers::{self, round_to};
 use camera_lab_words::why::sources::with_titles;

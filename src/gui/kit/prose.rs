@@ -5,8 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use eframe::egui::{FontId, Id, Label, Response, RichText, Sense, TextStyle, Ui};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 
-use super::mathematics;
-use super::theme;
+use super::{mathematics, theme};
 use camera_lab_words::why::notes::{line, plain};
 
 /// Turns symbols such as `M_v` into mathematics. Text between dollar signs stays as it is.

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
     self, Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke, Style, TextStyle, Visuals,
-    text::{LayoutJob, TextFormat},
 };
 
 use crate::numerics::health::Level;

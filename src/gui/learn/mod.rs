@@ -1,7 +1,12 @@
 //! Exercises and lessons, with the state that they remember.
 
 pub mod exercises;
-pub mod handout;
+/// Lessons and exercises as pages to print: the choices, the pages, and the dialog.
+pub mod handout {
+    pub(in crate::gui) mod dialog;
+    pub mod form;
+    pub mod pages;
+}
 pub(super) mod lesson;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,12 +14,12 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use eframe::egui;
+use exercises::state::Exercises;
+use lesson::state::Playing;
 
 use crate::lessons::Lesson;
 use camera_lab_desk::{Action, Document, Mark, Model, Placing};
 use camera_lab_words::learn::{exercise_window, lessons};
-use exercises::state::Exercises;
-use lesson::state::Playing;
 
 /// The exercises, the lesson being played, and the progress in them.
 #[derive(Debug, Default)]
@@ -44,7 +49,7 @@ pub struct Learn {
 /// A link to a step of a built-in lesson.
 fn lesson_link(ui: &mut egui::Ui, model: &mut Model, lesson: &Arc<Lesson>, step: usize) {
     if ui.link(lessons::lesson_link(model.settings.lang, lesson, step)).clicked() {
-        model.actions.push(Action::lesson(Arc::clone(lesson), step));
+        model.request(Action::lesson(Arc::clone(lesson), step));
     }
 }
 

@@ -244,8 +244,9 @@ fn copied(cells: &[Cell]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use eframe::egui::pos2;
+
+    use super::*;
 
     #[test]
     fn a_card_stands_in_the_corner_farthest_from_its_point() {

@@ -7,8 +7,7 @@ use eframe::egui::{self, Key, Modifiers};
 use super::Canvas;
 use crate::sanitize;
 use camera_lab_desk::{Model, Running};
-use camera_lab_words::window::canvas as words;
-use camera_lab_words::window::{progress, scenes};
+use camera_lab_words::window::{canvas as words, progress, scenes};
 
 /// Work shorter than this isn't reported.
 const MAX_WAIT: Duration = Duration::from_millis(500);
@@ -82,9 +81,8 @@ mod tests {
     use std::path::PathBuf;
 
     use super::*;
-    use crate::gui::Start;
-    use crate::gui::State;
     use crate::gui::export::{Export, ExportKind, Exported, Exporting, Task};
+    use crate::gui::{Start, State};
     use crate::progress::{Activity, Progress};
     use camera_lab_desk::export_error::ExportError;
     use camera_lab_files::Overwrite;

@@ -11,19 +11,39 @@ mod card;
 pub(super) mod highlight;
 mod icons;
 mod image_place;
-pub(super) mod labels;
+/// The mode *Labels*, in which labels can be moved, renamed and hidden.
+pub(super) mod labels {
+    pub(super) mod label_drag;
+    pub(super) mod labels_card;
+}
 pub(super) mod long_work;
 pub(super) mod motion;
-pub(super) mod photograph;
-pub(super) mod pointer;
+/// The camera of the photograph, from lines drawn on it along the axes of the world.
+pub(super) mod photograph {
+    mod card;
+    mod lines;
+}
+/// The pointer and the keys in the pictures: probes, picking, drags.
+pub(super) mod pointer {
+    pub(super) mod camera_drag;
+    pub(super) mod followed;
+    pub(in crate::gui) mod handle_drag;
+    pub(super) mod held;
+    pub(super) mod interaction;
+    pub(super) mod keyboard_probe;
+    pub(super) mod picking;
+    pub(super) mod placing;
+    pub(super) mod probe_steps;
+    pub(in crate::gui) mod selection_gizmo;
+    pub(super) mod vertex_name;
+    pub(super) mod wiper;
+}
 mod readout;
 mod rendering;
 mod status;
 mod strip;
 mod texture;
 
-use crate::gui::kit::frames::frames;
-use crate::gui::kit::{Command, Region, focus};
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -31,7 +51,6 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
-
 use glam::DVec2;
 
 use self::arrange::{Axis, Framed, Shares, arrange, automatic};
@@ -44,10 +63,10 @@ use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use crate::appearance::{Rgba, Samples};
 use crate::figure::{Explanation, Observer};
+use crate::gui::kit::{Command, Region, focus, frames};
 use crate::gui::pictures::arrange::auto_observer::Auto;
 use crate::gui::pictures::arrange::title::{Title, TitleAction};
 use crate::gui::pictures::highlight::Highlight;
-use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::held::Drag;
 use crate::gui::pictures::pointer::keyboard_probe::{ProbeStep, Probing};
 use crate::gui::pictures::pointer::picking::{PickRequest, Picker};
@@ -56,13 +75,13 @@ use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::pointer::vertex_name::VertexNames;
 use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
-use crate::views::image_frame;
-use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
-use camera_lab_desk::{Action, Message, Model, ObserverChange, PhotographTool, Placing, Running};
+use crate::views::{
+    Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown, image_frame,
+};
+use camera_lab_desk::{Action, Message, Model, ObserverChange, Placing, Running};
 use camera_lab_words::pictures::labels;
-use camera_lab_words::window;
-use camera_lab_words::window::canvas as words;
 use camera_lab_words::window::canvas::CanvasTexts;
+use camera_lab_words::window::{self, canvas as words};
 
 /// Time that a frame waits for its pictures. Slower ones appear when they are done.
 const MAX_WAIT: Duration = Duration::from_millis(30);
@@ -116,7 +135,7 @@ pub struct Canvas {
 
 /// The parts of other features that the pictures show or act on.
 pub struct Inputs<'a> {
-    /// The question for a place in the image.
+    /// The question for a place in the image, with the mark that a click puts there.
     pub(in crate::gui) placing: Option<Placing>,
     /// The number of times that a step of a lesson has faded in its pictures.
     pub(in crate::gui) fades: u64,
@@ -197,23 +216,17 @@ impl Canvas {
     }
 
     /// True if Esc would release something in a picture.
-    pub fn holds_something(&self, model: &Model, label_mode: &LabelMode, photograph: &PhotographTool) -> bool {
+    pub fn holds_something(&self, model: &Model) -> bool {
         self.drag.is_some()
-            || label_mode.on
-            || photograph.on
+            || model.label_mode.on
+            || model.photograph.on
             || self.is_probing()
             || model.pinned().is_some()
             || model.can_release_shown()
     }
 
     /// Fills the remaining room in `ui` with the pictures, and lets the pointer and the keys act on them.
-    pub fn ui(
-        &mut self,
-        ui: &mut Ui,
-        model: &mut Model,
-        (label_mode, photograph): (&mut LabelMode, &mut PhotographTool),
-        mut inputs: Inputs<'_>,
-    ) {
+    pub fn ui(&mut self, ui: &mut Ui, model: &mut Model, inputs: &mut Inputs<'_>) {
         let room = ui.available_rect_before_wrap();
         ui.take_available_space();
         let texts = words::texts(model.settings.lang);
@@ -252,21 +265,21 @@ impl Canvas {
             model.frame.screen_scale = pane.rect.size.scale;
         }
         self.settle_observers(ui, model, &mut panes);
-        let mut status = self.interact(ui, model, (label_mode, photograph), &mut inputs.placing, &panes, texts);
+        let mut status = self.interact(ui, model, &mut inputs.placing, &panes, texts);
         self.pin_clicked(&ctx, model);
-        self.take_click(&ctx, model, &mut inputs);
+        self.take_click(&ctx, model, inputs);
         self.take_probe_steps(&ctx, model, &panes);
         model.frame.probe = model.pinned().or(self.hover.probe);
         model.frame.seen = Picture::observers(&self.shot.pictures);
-        self.draw(ui, model, &inputs, &mut panes);
+        self.draw(ui, model, inputs, &mut panes);
         self.decorate(ui, model, &panes, texts);
         self.axis_cross(ui, model, &panes, texts);
-        self.outline_labels(ui, label_mode, &panes);
-        self.labels_card(ui, model, label_mode, &panes);
+        self.outline_labels(ui, model, &panes);
+        self.labels_card(ui, model, &panes);
         Self::marks(ui, inputs.placing.as_ref(), &panes);
         Self::wipers(ui, model, &panes);
-        Self::photograph_lines(ui, model, photograph, &panes);
-        Self::photograph_card(ui, model, photograph, &panes);
+        Self::photograph_lines(ui, model, &panes);
+        Self::photograph_card(ui, model, &panes);
 
         if model.layout.strip {
             self.strip(ui, stages, model, texts);
@@ -297,7 +310,7 @@ impl Canvas {
             None => {}
             Some(StatusAction::ShowAgain(view)) => model.layout.shown[view.index()] = true,
             Some(StatusAction::Arrange(arrangement)) => model.layout.arrangement = arrangement,
-            Some(StatusAction::Coach) => model.actions.push(Action::Coach),
+            Some(StatusAction::Coach) => model.request(Action::Coach),
         }
     }
 

@@ -1,6 +1,5 @@
 //! Draws pictures beside the window's thread, each only if its inputs have changed.
 
-use crate::gui::kit::frames::frames;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
 use std::time::Duration;
@@ -9,6 +8,7 @@ use eframe::egui;
 
 use super::texture::Tiles;
 use crate::clock;
+use crate::gui::kit::frames;
 use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::{OverBudget, ShadowMaps};
 use crate::progress::Progress;

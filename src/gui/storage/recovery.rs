@@ -4,13 +4,11 @@ use std::time::{Duration, UNIX_EPOCH};
 
 use eframe::egui::{self, Align, Label, Layout, RichText, ScrollArea};
 
-use crate::clock;
 use crate::gui::kit::{Explained, with_room_before};
-use crate::sanitize;
+use crate::{clock, sanitize};
 use camera_lab_desk::LeftOver;
-use camera_lab_words::Lang;
-use camera_lab_words::window;
 use camera_lab_words::window::sessions::ago;
+use camera_lab_words::{Lang, window};
 
 /// The user's decision about a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,9 +10,8 @@ use crate::gui::kit::{Both, Formula as Typeset, Links, chain, help_topic};
 use crate::numbers::exact_form;
 use camera_lab_desk::Matrices;
 use camera_lab_words::Lang;
-use camera_lab_words::why::explain as words;
 use camera_lab_words::why::explain::Texts;
-use camera_lab_words::why::notes;
+use camera_lab_words::why::{explain as words, notes};
 
 /// The type size of formulas, in points.
 const SIZE: f32 = 14.0;

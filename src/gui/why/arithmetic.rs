@@ -3,7 +3,8 @@
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use eframe::egui::{self, CollapsingHeader, RichText, TextStyle, text::LayoutJob};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{self, CollapsingHeader, RichText, TextStyle};
 
 use crate::camera::Unprojected;
 use crate::explain::{Line, Notation, Setting, Step, Style, back, forward, written};

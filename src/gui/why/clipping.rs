@@ -9,9 +9,9 @@ use crate::gui::why::state::explain::Explain;
 use crate::pipeline::divide_before_clip::divided_first;
 use camera_lab_desk::{Action, Intent, Model};
 use camera_lab_files::ShippedFigure;
+use camera_lab_words::told;
 use camera_lab_words::why::explain;
-use camera_lab_words::window::gallery;
-use camera_lab_words::{told, window};
+use camera_lab_words::window::{self, gallery};
 
 /// Shows it.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
@@ -55,6 +55,6 @@ fn dead_end(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let [title, caption] = figure.told();
     let text = format!("{} {}", gallery::texts(lang).shows, told(lang, &title));
     if ui.add(Button::new(text).wrap()).explained(told(lang, &caption)).clicked() {
-        model.actions.push(Action::Begin(Intent::Shipped(figure.name)));
+        model.request(Action::Begin(Intent::Shipped(figure.name)));
     }
 }

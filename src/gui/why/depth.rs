@@ -18,8 +18,8 @@ use crate::numerics::health::{suggested_planes, with_planes};
 use crate::numerics::{Resolution, Seen, TwoPlanes, resolutions};
 use crate::views::Probe;
 use camera_lab_desk::{Action, Model};
-use camera_lab_words::window::{coach as words, compare};
-use camera_lab_words::{Lang, window};
+use camera_lab_words::Lang;
+use camera_lab_words::window::{self, coach as words, compare};
 
 /// Height of the plot in points.
 const HEIGHT: f32 = 150.0;
@@ -74,7 +74,7 @@ fn of_camera(ui: &mut Ui, model: &mut Model, explain: &mut Explain, camera: &Cam
     plot(ui, lang, camera, space.ndc(), probe);
     ui.horizontal(|ui| {
         if export_button(ui, lang) {
-            model.actions.push(Action::chart(t.depth_chart, chart(lang, camera, space.ndc(), &said)));
+            model.request(Action::chart(t.depth_chart, chart(lang, camera, space.ndc(), &said)));
         }
     });
     let depth = probe.unwrap_or_else(|| camera.distance().clamp(near, far));
@@ -89,7 +89,8 @@ fn of_camera(ui: &mut Ui, model: &mut Model, explain: &mut Explain, camera: &Cam
         let place = if probe.is_some() { t.at_probe } else { t.at_focus };
         ui.label(format!("{}; {place} {}", t.scene_units, n(depth)));
     });
-    formats(ui, lang, &resolutions(&space, depth, explain.gap));
+    let of = (*camera.parameters(), space.ndc(), [depth, explain.gap]);
+    formats(ui, lang, explain.resolutions.of(of, |(_, _, [depth, gap])| resolutions(&space, *depth, *gap)));
     let planes = suggested_planes(camera, model.scene_cache.scene().bounds()?)?;
     let mut wanted = None;
     ui.horizontal_wrapped(|ui| {

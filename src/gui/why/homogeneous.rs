@@ -10,8 +10,7 @@ use crate::gui::why::state::explain::Explain;
 use crate::sanitize;
 use crate::views::{Palette, Probe};
 use camera_lab_desk::Model;
-use camera_lab_words::why::homogeneous;
-use camera_lab_words::why::homogeneous::Texts;
+use camera_lab_words::why::homogeneous::{self, Texts};
 use camera_lab_words::window;
 
 /// A displayed point, or a direction (w = 0 in the world).

@@ -9,28 +9,43 @@ mod clipping;
 mod depth;
 mod hidden_surfaces;
 mod homogeneous;
-pub(super) mod matrix;
+/// The explanations of matrices: entries, conventions, other vocabularies, code.
+pub(super) mod matrix {
+    pub(super) mod code;
+    pub(super) mod conventions;
+    pub(super) mod dialects;
+    pub(super) mod digits;
+    pub(super) mod entries;
+    pub(super) mod matrices;
+    pub(super) mod pasted_matrix;
+}
 mod measures;
 mod notes;
 mod order;
 mod order_list;
 mod point;
 mod stages;
-pub(super) mod state;
+/// The state of the explanations between frames.
+pub(super) mod state {
+    pub(in crate::gui) mod explain;
+    pub(in crate::gui) mod notes;
+    pub(in crate::gui) mod order;
+    pub(in crate::gui) mod triangle;
+}
 mod steps;
-mod subject;
 mod triangle;
 
 use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
+pub(super) use triangle::clicked;
 
+use crate::camera::Camera;
+use crate::explain::{Placement, Setting};
 use crate::figure::Explanation;
 use crate::gui::kit::{Explained, elide, keep_in_sight, toggle};
 use crate::gui::why::state::explain::Explain;
 use camera_lab_desk::{Action, Model, Question};
-use camera_lab_words::why::explain;
-use camera_lab_words::why::explain::Texts;
+use camera_lab_words::why::explain::{self, Texts};
 use camera_lab_words::window::compare as words;
-pub(super) use triangle::clicked;
 
 /// A name and a hint.
 type Words = fn(&Texts) -> (&'static str, &'static str);
@@ -156,7 +171,7 @@ pub(super) fn ui(
             let (name, hint) = (row.words)(t);
             let is_shown = model.explained.shown() == row.explanation;
             if toggle(ui, is_shown, name).explained(hint).clicked() {
-                model.explained.show(row.explanation);
+                model.show_explanation(row.explanation);
             }
         }
     });
@@ -226,6 +241,31 @@ fn questions(ui: &mut Ui, t: &Texts, model: &mut Model) {
 fn compare_button(ui: &mut Ui, model: &mut Model) {
     let words = words::texts(model.settings.lang);
     if ui.button(words.command).explained(words.command_hint).clicked() {
-        model.actions.push(Action::Compare);
+        model.request(Action::Compare);
+    }
+}
+
+/// The numbers of the symbols, without the rest of the window.
+struct ExplainedSetting {
+    camera: Camera,
+    /// The selected object, by its name.
+    object: Option<(String, Placement)>,
+}
+
+impl ExplainedSetting {
+    /// The camera of the figure, and the selected object, if there is one.
+    fn of(model: &Model) -> Self {
+        Self { camera: model.desk.shown.camera().clone(), object: model.selected_placement() }
+    }
+
+    /// The setting in the convention, image and viewport of the window.
+    fn setting(&self, model: &Model) -> Setting<'_> {
+        let figure = model.desk.shown.figure();
+        let space = self.camera.possible_clip_space(model.settings.conventions.ndc);
+        let setting = Setting::new(space, figure.image, figure.viewport);
+        match &self.object {
+            Some((_, placement)) => setting.with_placement(*placement),
+            None => setting,
+        }
     }
 }

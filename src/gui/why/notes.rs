@@ -4,8 +4,7 @@
 use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextStyle, Ui, WidgetInfo, vec2};
 
 use super::answer::{self, Writing};
-use super::stages;
-use super::subject::ExplainedSetting;
+use super::{ExplainedSetting, stages};
 use crate::explain::{Axis, Component, Symbol};
 use crate::gui::kit::{Explained, TextField, mathematics, theme};
 use crate::gui::why::state::explain::Explain;
@@ -13,12 +12,10 @@ use crate::gui::why::state::notes::Notes;
 use crate::limits::MAX_TYPED_NAME;
 use crate::pipeline::Stage;
 use camera_lab_desk::Model;
-use camera_lab_words::why::explain as words;
 use camera_lab_words::why::explain::Texts;
-use camera_lab_words::why::notes;
-use camera_lab_words::why::notes::{Note, Piece};
+use camera_lab_words::why::notes::{self, Note, Piece};
 use camera_lab_words::why::sources::with_titles;
-use camera_lab_words::why::stages as stages_words;
+use camera_lab_words::why::{explain as words, stages as stages_words};
 
 /// The type size of equations, in points.
 const SIZE: f32 = 14.0;

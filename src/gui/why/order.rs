@@ -7,9 +7,8 @@ use eframe::egui::{self, RichText, Slider, Ui};
 use glam::{DMat4, DVec3};
 
 use super::answer::Writing;
-use super::order_list;
 use super::steps::numbers;
-use super::subject::ExplainedSetting;
+use super::{ExplainedSetting, order_list};
 use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, exchanged, in_force, read, same};
 use crate::explain::{Formula, Placement};
 use crate::figure::TransformPreview;

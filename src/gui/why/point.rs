@@ -3,8 +3,7 @@
 use eframe::egui::{self, RichText};
 use glam::{DVec2, DVec3};
 
-use super::arithmetic;
-use super::subject::ExplainedSetting;
+use super::{ExplainedSetting, arithmetic};
 use crate::camera::{NotProjectable, Place};
 use crate::explain::{Component, Setting, Symbol};
 use crate::figure::points::may_be_named;
@@ -14,8 +13,7 @@ use crate::limits::{MAX_NAMED_POINTS, MAX_TYPED_NAME};
 use crate::sanitize::escaped;
 use crate::views::{Probe, shadows_at, texel_at};
 use camera_lab_desk::{Model, Space};
-use camera_lab_words::why::explain_point;
-use camera_lab_words::why::explain_point::Texts;
+use camera_lab_words::why::explain_point::{self, Texts};
 use camera_lab_words::why::notes;
 use camera_lab_words::{messages, window};
 

@@ -1,20 +1,19 @@
-//! Stages: each stage of the pipeline with its report. A click shows its input and output in the picture.
+//! A stage of the pipeline in full: its purpose, its report, its source. The strip under the views has all of them.
 
-use eframe::egui::{self, RichText, Ui};
+use eframe::egui::{RichText, Ui};
 
-use crate::gui::kit::{Explained, help_topic};
+use crate::gui::kit::Explained;
 use crate::gui::why::state::explain::Explain;
 use crate::pipeline::Stage;
 use camera_lab_desk::Model;
 use camera_lab_words::why::sources::with_titles;
-use camera_lab_words::why::{notes, pipeline, stages};
+use camera_lab_words::why::{pipeline, stages};
 
-/// Shows them.
+/// Shows the stage that the strip has put into the view.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     let t = stages::texts(model.settings.lang);
     shown(ui, t, model);
     ui.separator();
-    list(ui, t, model);
     ui.checkbox(&mut model.layout.strip, t.strip).explained(t.strip_hint);
 }
 
@@ -40,22 +39,4 @@ fn shown(ui: &mut Ui, t: &stages::Texts, model: &Model) {
 pub(super) fn source(ui: &mut Ui, t: &stages::Texts, stage: Stage) {
     let text = RichText::new(format!("{}: {}", t.in_the_code, stage.source())).small().weak();
     ui.label(text).explained(t.in_the_code_hint);
-}
-
-/// All stages. A click shows one in the picture of the strip.
-fn list(ui: &mut Ui, t: &stages::Texts, model: &mut Model) {
-    let lang = model.settings.lang;
-    for (i, stage) in Stage::ALL.into_iter().enumerate() {
-        let name = pipeline::stage(lang, stage);
-        let report = model.frame.reports.iter().find(|report| report.stage == stage);
-        let text = RichText::new(format!("{}. {name}", i + 1));
-        let text = if report.is_some_and(|report| !report.ran) { text.strikethrough().weak() } else { text };
-        let button = egui::Button::selectable(model.shown_stage() == Some(stage), text);
-        let response = ui.add(button);
-        help_topic(&response, notes::of_stage(stage));
-        let said = report.map(|report| pipeline::line(lang, report)).unwrap_or_default();
-        if response.explained(format!("{}\n{said}\n{}", pipeline::purpose(lang, stage), t.show)).clicked() {
-            model.toggle_stage(stage);
-        }
-    }
 }

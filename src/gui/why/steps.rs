@@ -17,9 +17,8 @@ use crate::gui::why::state::explain::Explain;
 use crate::numbers::without_rests;
 use crate::views::View;
 use camera_lab_desk::{Action, FileFor, Model, Reading, Steps, end_of, step_at, time_of};
-use camera_lab_words::why::explain as words;
 use camera_lab_words::why::explain::Texts;
-use camera_lab_words::why::notes;
+use camera_lab_words::why::{explain as words, notes};
 use camera_lab_words::{Lang, command_line, pictures};
 
 /// Shows the tab.
@@ -38,7 +37,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
         return;
     };
     if ui.button(t.film).explained(t.film_hint).clicked() {
-        model.actions.push(Action::File(FileFor::Animation(way)));
+        model.request(Action::File(FileFor::Animation(way)));
     }
     let steps = &mut model.explained.steps;
     shown = steps.advance(shown, now, &camera);

@@ -16,9 +16,8 @@ use crate::views::pick::image_pixel;
 use crate::views::{Labels, Request, Size};
 use camera_lab_desk::Model;
 use camera_lab_words::pictures::labels;
-use camera_lab_words::why::notes;
-use camera_lab_words::why::triangle as words;
 use camera_lab_words::why::triangle::Texts;
+use camera_lab_words::why::{notes, triangle as words};
 use camera_lab_words::{Lang, window};
 
 /// The context in which a step is written.

@@ -1,11 +1,10 @@
 //! Values that are computed once for each key: in the frame, and beside the window's thread.
 
-use crate::Wake;
 use std::time::Duration;
 
 use super::worker::{Running, Worker};
-use crate::clock;
 use crate::progress::Progress;
+use crate::{Wake, clock};
 
 /// Time that a frame waits for an answer that it can do without.
 pub const MAX_WAIT: Duration = Duration::from_millis(4);

@@ -3,7 +3,6 @@
 mod in_frames;
 mod shares;
 
-use crate::Wake;
 use std::cell::Cell;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -12,8 +11,10 @@ use std::rc::Rc;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use crate::progress::{Activity, Progress, at_once};
 use in_frames::InFrames;
+
+use crate::Wake;
+use crate::progress::{Activity, Progress, at_once};
 
 /// Begins jobs, one at a time.
 type Work<Job, Outcome> = Box<dyn FnMut(Job, Progress) -> Slices<Outcome>>;

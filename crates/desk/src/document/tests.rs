@@ -9,9 +9,10 @@ fn azimuth(degrees: f64) -> Operation {
 
 #[test]
 fn undo_covers_chosen_options_and_not_hover_or_playback() {
+    use glam::DVec3;
+
     use crate::figure::{ShownProbe, ShownStep};
     use crate::stage::Stage;
-    use glam::DVec3;
 
     let mut document = Document::new(Figure::default(), None).unwrap();
     document.show_mut().stage = Some(Stage::Clip);

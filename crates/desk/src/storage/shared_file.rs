@@ -1,16 +1,15 @@
 //! A file that several windows write, whole or not at all. Each window merges its changes into the file's present
 //! content.
 
-use crate::Wake;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use crate::background::worker::Worker;
-use crate::clock;
 use crate::limits::MAX_KEPT_BYTES;
 use crate::progress::Progress;
 use crate::storage::session::{Keeping, News, aside};
+use crate::{Wake, clock};
 use camera_lab_files::disk::{self, Lock};
 use camera_lab_files::{self as files, FileError, Overwrite};
 

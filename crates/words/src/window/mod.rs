@@ -10,6 +10,11 @@ pub mod sessions;
 /// The words of the list of cameras, in both languages.
 pub mod cameras {
     texts!("window/cameras");
+
+    texts_with_values! {
+        /// A camera has been kept under this name.
+        kept(lang, name: &str);
+    }
 }
 
 /// The words of the lens: the view angle as cameras and other programs give it, in both languages.

@@ -7,23 +7,22 @@ use crate::appearance;
 use crate::figure::Explanation;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose, TitleForm};
+use crate::gui::app::search::Search;
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::Subject;
 use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
-use crate::gui::inspector::state::compare as kept_camera;
-use crate::gui::inspector::state::compare::CompareForm;
-use crate::gui::kit::command::Command::{self, *};
+use crate::gui::inspector::state::compare::{CompareForm, swap};
+use crate::gui::kit::keys::Command::{self, *};
 use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::lesson::state::Playing;
+use crate::limits::MAX_CAMERAS;
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
-use camera_lab_desk::layout::{self};
-use camera_lab_desk::{Intent, Message, ObserverChange, Panels, Side};
+use camera_lab_desk::{Intent, Message, ObserverChange, Panels, Side, layout};
 use camera_lab_files::{self as files, Overwrite};
 use camera_lab_words::learn::{handouts, lessons};
-use camera_lab_words::window::Texts;
-use camera_lab_words::window::{canvas, compare, labels, sharing};
+use camera_lab_words::window::{Texts, cameras, canvas, compare, labels, sharing};
 
 /// A row: command, keys, the names of label and hint, and the effect: a flag, one of several values in the state, or
 /// otherwise a function. The names are those of texts of the window, or of the texts before `::`.
@@ -167,15 +166,16 @@ pub const MENUS: &[Menu] = &[
                 row!(Compare, ctrl_shift(Key::D), compare::command, command_hint, |s, _| {
                     show_dialog(s, Dialog::Compare(CompareForm::of(s.model.desk.shown.figure())));
                 }),
-                row!(KeepCamera, shift(Key::F4), compare::keep, keep_hint, |s, _| {
-                    kept_camera::keep_as_a(&mut s.model, &mut s.camera_a);
-                }),
-                row!(SwapSides, plain(Key::F4), compare::swap, swap_command_hint, |s, _| {
-                    kept_camera::swap(&mut s.model, &s.camera_a);
-                }),
+                row!(KeepCamera, shift(Key::F4), cameras::add, add_hint, |s, _| {
+                    let name = s.model.keep_camera();
+                    s.model.say(Message::CameraKept(name));
+                })
+                .enabled(|s| s.model.desk.shown.figure().cameras.len() < MAX_CAMERAS)
+                .disabled_because(|t| cameras::texts(t.lang).full),
+                row!(SwapSides, plain(Key::F4), compare::swap, swap_command_hint, |s, _| swap(&mut s.model)),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
-                row!(Labels, alt(Key::T), labels::title, command_hint, |s, _| s.label_mode.toggle())
-                    .on(|s| s.label_mode.on),
+                row!(Labels, alt(Key::T), labels::title, command_hint, |s, _| s.model.label_mode.toggle())
+                    .on(|s| s.model.label_mode.on),
             ],
         ],
     },
@@ -435,7 +435,7 @@ fn show_dialog(state: &mut State, dialog: Dialog) {
 }
 
 fn show_search(state: &mut State) {
-    state.search.begin();
+    state.search = Search::default();
     show_dialog(state, Dialog::Search);
 }
 

@@ -12,8 +12,8 @@ use camera_lab_desk::FileFor;
 use camera_lab_words::file_names::name_of_title;
 use camera_lab_words::learn::{exercise_window, handouts, lessons};
 use camera_lab_words::why::explain;
-use camera_lab_words::window::{gallery, photograph, scenes};
-use camera_lab_words::{families, told, window};
+use camera_lab_words::window::{self, gallery, photograph, scenes};
+use camera_lab_words::{families, told};
 
 /// A kind of files.
 pub(in crate::gui) struct FileKind {

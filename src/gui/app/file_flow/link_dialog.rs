@@ -16,8 +16,7 @@ use camera_lab_desk::{Memo, Message, Model};
 use camera_lab_files as files;
 use camera_lab_files::share::{self, Held, ShareError};
 use camera_lab_words::messages;
-use camera_lab_words::window::Texts;
-use camera_lab_words::window::sharing;
+use camera_lab_words::window::{Texts, sharing};
 
 /// Shows the dialog. `first` is true when it has just been opened.
 pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {

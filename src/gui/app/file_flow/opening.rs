@@ -4,14 +4,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::figure::Photograph;
+use crate::gui::app::file_flow::begin;
+use crate::gui::app::file_flow::reading::Take;
 use crate::gui::app::state::State;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::lessons::{Lesson, OpenLesson};
 use crate::scene::{Shape, TextureSource};
-use camera_lab_desk::{Document, MeshFor, Message, Model, Source};
-use camera_lab_files::share;
-use camera_lab_files::{self as files, FileError, Opened};
+use camera_lab_desk::{Document, Intent, MeshFor, Message, Model, Source};
+use camera_lab_files::{self as files, FileError, Opened, share};
 
 /// Puts a mesh file into the scene.
 pub(in crate::gui) fn mesh(model: &mut Model, which: MeshFor, path: &Path) {
@@ -45,8 +46,30 @@ pub(in crate::gui) fn photograph(model: &mut Model, path: &Path) {
     });
 }
 
+/// Shows the content of a file.
+type Show = Box<dyn FnOnce(&mut State, PathBuf) + Send>;
+
+/// Reads a figure, a lesson, or a link. Returns how to go on with it.
+pub(super) fn read(path: PathBuf) -> Take {
+    let show: Show = if files::is_lesson(&path) {
+        let read = files::read_lesson(&path).map(|(lesson, _)| Arc::new(lesson));
+        Box::new(|state, path| lesson(state, path, read))
+    } else {
+        let opened = files::open_figure_with_any_camera(&path).map(|(opened, _)| opened);
+        Box::new(|state, path| figure(state, path, opened))
+    };
+    Box::new(move |ctx, state, is_changed| {
+        if is_changed && state.model.is_unsaved() {
+            // The user changed the figure after the question about changes.
+            begin(ctx, state, Intent::OpenPath(path));
+        } else {
+            show(state, path);
+        }
+    })
+}
+
 /// Plays the lesson of a file or link.
-pub(super) fn lesson(state: &mut State, path: PathBuf, lesson: Result<Arc<Lesson>, FileError>) {
+fn lesson(state: &mut State, path: PathBuf, lesson: Result<Arc<Lesson>, FileError>) {
     match lesson {
         Ok(lesson) => {
             let is_link = share::link_of(&path).is_some();
@@ -61,7 +84,7 @@ pub(super) fn lesson(state: &mut State, path: PathBuf, lesson: Result<Arc<Lesson
 }
 
 /// Shows the figure of a file or link.
-pub(super) fn figure(state: &mut State, path: PathBuf, opened: Result<Opened, FileError>) {
+fn figure(state: &mut State, path: PathBuf, opened: Result<Opened, FileError>) {
     let State { model, learn, recent, .. } = state;
     let document = match opened {
         Ok(opened) => {

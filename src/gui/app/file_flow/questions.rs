@@ -5,8 +5,8 @@ use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
 use super::reading::Reading;
+pub use super::saving::Agreed;
 use super::saving::Saving;
-pub use super::saving::{Agreed, Theirs};
 use crate::figure::Localized;
 use crate::gui::export::preview::Preview;
 use crate::gui::export::{Export, Exported, Exporting};
@@ -15,9 +15,9 @@ use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::handout::pages::PagesPreview;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
 use crate::sanitize;
-use camera_lab_desk::{Comparison, FileFor, Message, NewsList, Revision, Running, Watch};
-use camera_lab_words::window::scenes;
-use camera_lab_words::{Lang, window};
+use camera_lab_desk::{Comparison, FileFor, Message, NewsList, Revision, Running, Theirs, Watch};
+use camera_lab_words::Lang;
+use camera_lab_words::window::{self, scenes};
 
 /// The purpose of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -154,17 +154,14 @@ pub struct FileFlow {
     pub native: bool,
     /// True from the moment when the window may close.
     pub may_close: bool,
-    /// The content of another program in the figure's file, while it has to be shown.
-    pub theirs: Option<Theirs>,
     /// Messages about sessions, until the user has closed them.
     pub(in crate::gui) news: NewsList,
-    /// A reported content of the file, which isn't reported again.
-    pub(in crate::gui) decided: Option<Theirs>,
     /// The slot of the session to restore now.
     pub(in crate::gui) restore: Option<usize>,
     /// True if the figure's file is to be checked in the next frame.
     pub(in crate::gui) look: bool,
-    pub(in crate::gui) watch: Watch,
+    /// The content of another program in the figure's file.
+    pub watch: Watch,
     /// The file being read.
     pub reading: Reading,
     /// The file into which the figure is being written.

@@ -1,71 +1,30 @@
 //! Files read beside the window's thread, because one on a network may take seconds.
 
-use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui;
 
-use super::sequence::{Found, Search};
 use crate::clock;
-use crate::lessons::Lesson;
+use crate::gui::app::state::State;
+use crate::gui::kit::frames;
 use crate::progress::Progress;
 use camera_lab_desk::{Model, Revision, Running, Worker};
-use camera_lab_files::{self as files, FileError, Opened};
 
 /// Time that a frame waits for a file. Files on a disk of this machine are there by then.
 const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 50 });
 
-/// Something to read.
-#[derive(Clone, Debug)]
-pub(super) enum ToRead {
-    /// A figure, a lesson, or a link in a file.
-    File(PathBuf),
-    /// The figure to compare the window's one with.
-    Compared(PathBuf),
-    /// The next figure of a sequence, or the one before.
-    Next(Search),
-}
+/// What a frame does with a file once it's read. The last argument is true if the window's figure has changed since the
+/// file was asked for.
+pub(super) type Take = Box<dyn FnOnce(&egui::Context, &mut State, bool) + Send>;
 
-/// The content of a file, or the reason why it can't be used.
-#[derive(Debug)]
-pub(super) enum Content {
-    /// A lesson.
-    Lesson(PathBuf, Result<Arc<Lesson>, FileError>),
-    /// A figure to show.
-    Figure(PathBuf, Result<Opened, FileError>),
-    /// A figure to compare with.
-    Compared(PathBuf, Result<Opened, FileError>),
-    /// A figure of a sequence.
-    Next(Box<Found>),
-}
-
-impl ToRead {
-    fn read(self) -> Content {
-        let figure = |path: &Path| files::open_figure_with_any_camera(path).map(|(opened, _)| opened);
-        match self {
-            Self::File(path) if files::is_lesson(&path) => {
-                let lesson = files::read_lesson(&path).map(|(lesson, _)| Arc::new(lesson));
-                Content::Lesson(path, lesson)
-            }
-            Self::File(path) => {
-                let opened = figure(&path);
-                Content::Figure(path, opened)
-            }
-            Self::Compared(path) => {
-                let opened = figure(&path);
-                Content::Compared(path, opened)
-            }
-            Self::Next(search) => Content::Next(Box::new(search.find())),
-        }
-    }
-}
+/// Reads a file, beside the window's thread.
+type Read = Box<dyn FnOnce() -> Take + Send>;
 
 /// The file being read.
 #[derive(Debug)]
 pub struct Reading {
-    worker: Worker<ToRead, Content>,
+    worker: Worker<Read, Take>,
     /// Its path, and the document with its state when the file was requested. `None` if the user doesn't want it.
     asked: Option<(PathBuf, (Revision, Revision))>,
     /// Time that a frame waits for a file. Tests have more of it.
@@ -74,7 +33,7 @@ pub struct Reading {
 
 impl Default for Reading {
     fn default() -> Self {
-        let worker = Worker::new("file", clock::now, || async |wanted: ToRead, _: &Progress| wanted.read());
+        let worker = Worker::new("file", clock::now, || async |read: Read, _: &Progress| read());
         Self { worker, asked: None, patience: PATIENCE }
     }
 }
@@ -86,27 +45,23 @@ fn now(model: &Model) -> (Revision, Revision) {
 
 impl Reading {
     /// Starts reading a file. The one being read before isn't wanted any more.
-    pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, wanted: ToRead) {
-        let path = match &wanted {
-            ToRead::File(path) | ToRead::Compared(path) => path.clone(),
-            ToRead::Next(search) => search.folder().map(Path::to_owned).unwrap_or_default(),
-        };
+    pub(super) fn begin(&mut self, ctx: &egui::Context, model: &Model, path: PathBuf, read: Read) {
         self.asked = Some((path, now(model)));
         if self.worker.is_pending(0) {
             // The file before may stall.
             self.worker = self.worker.restarted();
         }
-        self.worker.ask(&frames(ctx), 0, wanted);
+        self.worker.ask(&frames(ctx), 0, read);
     }
 
-    /// The content once it's there, and if the window's figure has changed since the request. Nothing if the user has
+    /// What to do with the file once it's there, and if the window's figure has changed since the request. Nothing if the user has
     /// gone on to another figure.
-    pub(super) fn take(&mut self, model: &Model, patience: Duration) -> Option<(Content, bool)> {
+    pub(super) fn take(&mut self, model: &Model, patience: Duration) -> Option<(Take, bool)> {
         let [done] = self.worker.take(patience);
-        let content = done?.outcome?;
+        let take = done?.outcome?;
         let (_, before) = self.asked.take()?;
         let now = now(model);
-        (before.0 == now.0).then_some((content, before != now))
+        (before.0 == now.0).then_some((take, before != now))
     }
 
     /// The file being read, and the time that it has taken.
@@ -129,7 +84,6 @@ mod tests {
     use crate::gui::Start;
     use crate::gui::app::file_flow::questions::Dialog;
     use crate::gui::app::file_flow::{begin, poll};
-    use crate::gui::app::state::State;
     use crate::testing::{Directory, Stall};
     use camera_lab_desk::action::Intent;
 

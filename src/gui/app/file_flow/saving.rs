@@ -1,6 +1,5 @@
 //! The figure is written beside the window's thread, because a disk on a network may take seconds, or stall.
 
-use crate::gui::kit::frames::frames;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -9,16 +8,14 @@ use eframe::egui;
 use crate::clock;
 use crate::figure::{Figure, update};
 use crate::gui::app::state::State;
+use crate::gui::kit::frames;
 use crate::progress::Progress;
-use camera_lab_desk::background::worker::{self};
-use camera_lab_desk::{Model, Revision, Worker};
+use camera_lab_desk::background::worker;
+use camera_lab_desk::{Model, Revision, Theirs, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
 
 /// Time that a frame waits for the file. On a disk of this machine it's written by then.
 const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 200 });
-
-/// The content that another program has written into the figure's file. `None` if it's unreadable.
-pub type Theirs = Option<Vec<u8>>;
 
 /// Overwrites that the user has agreed to.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -64,7 +64,7 @@ fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
         ask(&ctx, &mut state, Purpose::Save);
         assert!(state.file_flow.is_asking());
         if !is_same {
-            perform(&ctx, &mut state, Intent::Shipped("house"));
+            open_shipped(&mut state.model, &mut state.learn, "house");
         }
         answered(&ctx, &mut state, FileAnswer::Chosen(path.clone()));
         assert!(!state.file_flow.is_asking());
@@ -114,7 +114,7 @@ fn a_window_that_is_closed_waits_for_its_pictures() {
 
     // A failed one is reported, and the window stays.
     let (ctx, mut state) = exporting(|| async |_, _: &Progress| Err(ExportError::Panic));
-    perform(&ctx, &mut state, Intent::Quit);
+    meet(&ctx, &mut state, Need::Do(Intent::Quit));
     assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
     assert!(state.model.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());
 }

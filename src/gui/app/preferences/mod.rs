@@ -14,6 +14,7 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
+pub use store::Preferences;
 use toml_edit::{DocumentMut, Value};
 
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
@@ -26,7 +27,6 @@ use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LI
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
 use camera_lab_desk::{Side, WindowPlace};
-pub use store::Preferences;
 
 /// The conventions for the signs of rotations, by the names in `--convention`.
 const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
@@ -328,12 +328,11 @@ fn step_key(descriptor: &Descriptor) -> String {
     format!("{}{axis}_step", descriptor.word)
 }
 
-/// The preferences of a window: keys with their values as TOML.
-fn values(state: &State) -> impl Iterator<Item = (&'static str, String)> {
+/// The preferences of a window: keys with their values.
+fn values(state: &State) -> impl Iterator<Item = (&'static str, Value)> {
     let step = |row: &Descriptor| Value::from(state.model.operations.steps[row.freedom as usize]);
     let steps = STEP_KEYS.iter().map(String::as_str).zip(OPERATIONS.iter().map(step));
-    let values = KEYS.iter().map(|key| (key.name, (key.of)(state))).chain(steps);
-    values.map(|(key, value)| (key, value.to_string()))
+    KEYS.iter().map(|key| (key.name, (key.of)(state))).chain(steps)
 }
 
 /// Sets up a window as in the file. An invalid value counts as none.
@@ -414,15 +413,20 @@ mod tests {
     use crate::gui::export::family_choice::FamilyChoice;
     use crate::gui::export::{Export, Paper};
     use crate::views::Arrangement;
-    use camera_lab_desk::explained::conventions::Conventions;
+    use camera_lab_desk::Conventions;
     use camera_lab_words::Lang;
 
     fn state() -> State {
         State::new(Start::default()).unwrap()
     }
 
+    fn written(state: &State) -> BTreeMap<&'static str, String> {
+        values(state).map(|(key, value)| (key, value.to_string())).collect()
+    }
+
     fn document(state: &State) -> DocumentMut {
-        let lines: Vec<String> = values(state).map(|(key, value)| format!("\"{key}\" = {value}\n")).collect();
+        let lines: Vec<String> =
+            written(state).into_iter().map(|(key, value)| format!("\"{key}\" = {value}\n")).collect();
         lines.concat().parse().unwrap()
     }
 
@@ -464,14 +468,13 @@ mod tests {
         changed.family.second.choose(Subject::Typed);
         changed.model.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
         changed.model.explained.show(Explanation::Code);
-        let plain: BTreeMap<_, _> = values(&state()).collect();
-        let told: BTreeMap<_, _> = values(&changed).collect();
-        for (key, value) in &told {
+        let plain = written(&state());
+        for (key, value) in &written(&changed) {
             assert_ne!(Some(value), plain.get(key), "{key} was not changed");
         }
         let mut back = state();
         apply(&document(&changed), &mut back);
-        assert!(values(&back).eq(values(&changed)));
+        assert_eq!(written(&back), written(&changed));
         assert_eq!((back.model.settings, back.model.layout), (changed.model.settings, changed.model.layout));
     }
 
@@ -489,10 +492,10 @@ mod tests {
         let text = "language = \"fr\"\ntheme = 3\nzoom = 99\ndigits = -1\nelevation_step = 0\nzoom_step = 1\n\
                     roll_step = nan\npan_u_step = 2\nlayout = [1]\nrecent = [\"relative\", 3]\n";
         let mut state = state();
-        let mut expected: BTreeMap<_, _> = values(&state).collect();
+        let mut expected = written(&state);
         apply(&text.parse().unwrap(), &mut state);
         expected.insert("pan_u_step", "2.0".to_owned());
-        assert_eq!(values(&state).collect::<BTreeMap<_, _>>(), expected);
+        assert_eq!(written(&state), expected);
         assert!(state.recent.files.is_empty());
     }
 }

@@ -3,7 +3,6 @@
 //!
 //! A window merges its progress into the present content of the file, so two windows lose nothing of each other.
 
-use crate::gui::kit::frames::frames;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Duration;
@@ -13,6 +12,7 @@ use toml_edit::{DocumentMut, Value};
 
 use crate::exercises::Progress;
 use crate::gui::app::preferences::answers::{self, NOTHING};
+use crate::gui::kit::frames;
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Chosen, Done, Typed};
 use camera_lab_desk::storage::shared_file::{Change, MAX_WAIT};

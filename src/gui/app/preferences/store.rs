@@ -1,6 +1,5 @@
 //! The storage of the preferences.
 
-use crate::gui::kit::frames::frames;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -15,6 +14,7 @@ use crate::gui::app::preferences::{
     recent, values,
 };
 use crate::gui::app::state::State;
+use crate::gui::kit::frames;
 use camera_lab_desk::storage::shared_file::{Change, MAX_WAIT};
 use camera_lab_desk::{Keeping, News, Recent, SharedFile, merged};
 use camera_lab_files as files;
@@ -75,7 +75,7 @@ impl Change for SettingsJob {
 pub struct Preferences {
     file: SharedFile<SettingsJob>,
     /// The keys of this window as in the file, at present or when it was read.
-    kept: BTreeMap<&'static str, String>,
+    kept: BTreeMap<&'static str, Value>,
     /// The keys in the file.
     remembered: BTreeSet<String>,
     progress: KeptProgress,
@@ -113,7 +113,7 @@ impl Preferences {
     /// Sets a key to the system's value, unless the user has chosen otherwise. That isn't remembered.
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(in crate::gui) fn follow(&mut self, state: &mut State, key: &str, set: impl FnOnce(&mut State)) {
-        let is_chosen = values(state).any(|(of, value)| of == key && self.kept.get(of) != Some(&value));
+        let is_chosen = values(state).any(|(of, value)| of == key && !self.is_kept(of, &value));
         if self.remembered.contains(key) || is_chosen {
             return;
         }
@@ -152,9 +152,14 @@ impl Preferences {
 
     /// The part that isn't in the file yet.
     fn job(&mut self, state: &State) -> SettingsJob {
-        let changed = values(state).filter(|(key, value)| self.kept.get(key) != Some(value)).collect();
+        let changed = values(state).filter(|(key, value)| !self.is_kept(key, value));
+        let changed = changed.map(|(key, value)| (key, value.to_string())).collect();
         let answers_moved = self.has_answers && self.progress.is_written(&state.learn);
         SettingsJob { changed, opened: state.recent.new.clone(), answers_moved }
+    }
+
+    fn is_kept(&self, key: &str, value: &Value) -> bool {
+        self.kept.get(key).is_some_and(|kept| is_same(kept, value))
     }
 
     /// Takes the result of a write.
@@ -162,10 +167,24 @@ impl Preferences {
         if let Some((SettingsJob { changed, opened, answers_moved }, recent)) = self.file.take(patience) {
             self.has_answers &= !answers_moved;
             self.remembered.extend(changed.keys().map(|key| (*key).to_owned()));
-            self.kept.extend(changed);
+            self.kept.extend(changed.into_iter().filter_map(|(key, value)| Some((key, value.parse().ok()?))));
             recent_state.new.retain(|path| !opened.contains(path));
             recent_state.files = merged(&recent_state.new, &recent);
         }
+    }
+}
+
+/// True if two values of preferences are equal. Every frame compares all of them, so none is written as a text for it.
+fn is_same(one: &Value, other: &Value) -> bool {
+    match (one, other) {
+        (Value::String(one), Value::String(other)) => one.value() == other.value(),
+        (Value::Integer(one), Value::Integer(other)) => one.value() == other.value(),
+        (Value::Float(one), Value::Float(other)) => one.value() == other.value(),
+        (Value::Boolean(one), Value::Boolean(other)) => one.value() == other.value(),
+        (Value::Array(one), Value::Array(other)) => {
+            one.len() == other.len() && one.iter().zip(other).all(|(one, other)| is_same(one, other))
+        }
+        _ => false,
     }
 }
 

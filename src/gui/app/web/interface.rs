@@ -5,13 +5,15 @@
 use std::path::PathBuf;
 
 use eframe::WebRunner;
+use eframe::egui::{Key, Modifiers};
 use js_sys::{Object, Reflect};
-use wasm_bindgen::JsValue;
 use wasm_bindgen::closure::Closure;
-use web_sys::Window;
+use wasm_bindgen::{JsCast as _, JsValue};
+use web_sys::{KeyboardEvent, Window};
 
 use crate::gui::app::file_flow;
 use crate::gui::app::web::{Page, arrive};
+use crate::gui::kit::Command;
 use camera_lab_files::disk::page;
 use camera_lab_files::share::{self, Held};
 
@@ -77,4 +79,28 @@ pub(in crate::gui) fn say_ready() {
     if let Ok(event) = web_sys::Event::new("camera-lab-ready") {
         let _ = window.dispatch_event(&event);
     }
+}
+
+/// Keeps the browser from acting on the keys of this program. It still gets those that it reserves for itself.
+pub(in crate::gui) fn keep_from_browser(window: &Window) -> Result<(), JsValue> {
+    let pressed = Closure::<dyn FnMut(KeyboardEvent)>::new(|event: KeyboardEvent| {
+        let modifiers = Modifiers {
+            alt: event.alt_key(),
+            ctrl: event.ctrl_key(),
+            shift: event.shift_key(),
+            mac_cmd: event.meta_key(),
+            command: event.ctrl_key() || event.meta_key(),
+        };
+        // With Alt, some keyboards write other signs, so the key itself counts.
+        let key = Key::from_name(&event.key()).or_else(|| Key::from_name(&event.code()));
+        if key.is_some_and(|key| Command::any_has_in_browser(key, modifiers)) {
+            event.prevent_default();
+        }
+    });
+    let options = web_sys::AddEventListenerOptions::new();
+    options.set_capture(true);
+    let listener = pressed.as_ref().unchecked_ref();
+    window.add_event_listener_with_callback_and_add_event_listener_options("keydown", listener, &options)?;
+    pressed.forget();
+    Ok(())
 }

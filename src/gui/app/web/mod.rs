@@ -2,7 +2,6 @@
 //! address.
 
 mod interface;
-mod keys;
 mod store;
 
 use std::any::Any;
@@ -24,8 +23,7 @@ use crate::scene::import::MESH_ENDINGS;
 use camera_lab_desk::Intent;
 use camera_lab_desk::document::fresh;
 use camera_lab_files::disk::page::KEPT;
-use camera_lab_files::share;
-use camera_lab_files::{self as files, SourceFile};
+use camera_lab_files::{self as files, SourceFile, share};
 use camera_lab_words::Lang;
 
 /// The identifier of the page's canvas for the window.
@@ -105,7 +103,7 @@ async fn start() -> Result<(), JsValue> {
     let window = window().ok_or("no window")?;
     let canvas = window.document().and_then(|document| document.get_element_by_id(CANVAS));
     let canvas: HtmlCanvasElement = canvas.ok_or("no canvas")?.dyn_into().map_err(|_| "no canvas")?;
-    keys::keep_from_browser(&window)?;
+    interface::keep_from_browser(&window)?;
     let runner = eframe::WebRunner::new();
     interface::offer(&window, &runner)?;
     // The page's own reaction when its fragment changes.

@@ -59,7 +59,7 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
         });
     });
     if let Some(text) = opened.and_then(|row: Row| row.figure) {
-        model.actions.push(Action::Begin(Intent::Text(text)));
+        model.request(Action::Begin(Intent::Text(text)));
     }
 }
 
@@ -130,7 +130,7 @@ fn chart(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics, findings: &Fin
             if export_button(ui, lang) {
                 let pair = words::with_words(lang, findings.study, |words| findings.charts(case, words));
                 let chart = if over_time { pair.by_time } else { pair.by_parameter };
-                model.actions.push(Action::chart(words::title(lang, findings.study), chart));
+                model.request(Action::chart(words::title(lang, findings.study), chart));
             }
         });
         let over_time = numerics.over_time;

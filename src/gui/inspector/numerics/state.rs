@@ -1,11 +1,11 @@
 //! The studies of error against run time: the displayed one, the results, and the thread that measures.
 
-use crate::gui::kit::frames::frames;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
 use eframe::egui;
 
+use crate::gui::kit::frames;
 use crate::numerics::{self, Effort, Findings, Study};
 use crate::progress::Progress;
 use camera_lab_desk::{Latest, Running};

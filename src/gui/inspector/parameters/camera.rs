@@ -2,9 +2,8 @@
 
 use eframe::egui;
 
-use super::free_window::{closed, opened};
 use super::{ParameterForm, lens_menu, row, toggle};
-use crate::camera::{ParameterKey, Projection, ViewWindow};
+use crate::camera::{Camera, ParameterKey, Parameters, Projection, ViewWindow};
 use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
 use crate::gui::kit::{Explained, NumberField, Step, help_topic};
@@ -112,7 +111,8 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut ParameterForm) {
     section(ui, t.window, "window", true, |ui| {
         let mut symmetric = form.parameters.window.is_none();
         if padlock(ui, t, &mut symmetric) {
-            form.parameters = if symmetric { closed(&form.parameters) } else { opened(&form.parameters, &form.good) };
+            form.parameters =
+                if symmetric { symmetric_window(&form.parameters) } else { free_window(&form.parameters, &form.good) };
         }
         if form.parameters.window.is_some() {
             sides(ui, form);
@@ -183,4 +183,23 @@ fn sides(ui: &mut egui::Ui, form: &mut ParameterForm) {
     }
     form.parameters.window = Some(ViewWindow { left, right, bottom, top });
     form.complain(ui, ParameterKey::Window, &outputs);
+}
+
+/// Frees the window without changing it.
+fn free_window(parameters: &Parameters, good: &Camera) -> Parameters {
+    let window = Camera::new(parameters).map_or_else(|_| good.window(), |camera| camera.window());
+    Parameters { window: Some(window), ..*parameters }
+}
+
+/// Makes the window symmetric. Its size stays. If only the padlock has been used, θ, H and A stay to the last bit.
+pub(super) fn symmetric_window(parameters: &Parameters) -> Parameters {
+    let before = Parameters { window: None, ..*parameters };
+    let Some(window) = parameters.window else { return before };
+    if Camera::new(&before).is_ok_and(|camera| camera.window() == window) {
+        return before;
+    }
+    let height = window.height();
+    let angle = 2.0 * (height / 2.0 / parameters.near).atan().to_degrees();
+    let after = Parameters { view_angle: angle, height, aspect: window.aspect(), ..before };
+    if Camera::new(&after).is_ok() { after } else { before }
 }

@@ -5,23 +5,22 @@ use eframe::egui::{self, Popup, PopupCloseBehavior};
 use super::{complaint, row};
 use crate::appearance::Rgba;
 use crate::camera::{Convergence, Projection};
-use crate::figure::{Comparison, NamedCamera};
+use crate::figure::NamedCamera;
 use crate::gui::inspector::section;
-use crate::gui::kit::number_field::{self};
-use crate::gui::kit::{Explained, KeptLine, NumberField, Step};
+use crate::gui::kit::{Explained, KeptLine, NumberField, Step, number_field};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
 use crate::sanitize::escaped;
 use crate::views::{OtherCamera, Palette};
-use camera_lab_desk::{CameraList, Model};
+use camera_lab_desk::Model;
 use camera_lab_words::window;
 use camera_lab_words::window::cameras::{self, Texts};
 
 /// Shows the list, and the buttons that add to it.
-pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList) {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
     let t = cameras::texts(model.settings.lang);
     let count = model.desk.shown.figure().cameras.len();
     // It opens when the first camera comes, or when the search leads to one of its buttons.
-    let (id, opens) = match (count > 0, cameras.was_called) {
+    let (id, opens) = match (count > 0, model.cameras.was_called) {
         (true, _) => ("cameras", true),
         (false, true) => ("called cameras", true),
         (false, false) => ("no other cameras", false),
@@ -33,17 +32,17 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList)
         for index in 0..count {
             // If a camera is removed, the list is shorter in the same frame.
             if index < model.desk.shown.figure().cameras.len() {
-                other(ui, model, cameras, t, index);
+                other(ui, model, t, index);
             }
         }
-        add(ui, model, cameras, t, count < MAX_CAMERAS);
+        add(ui, model, t, count < MAX_CAMERAS);
     });
 }
 
 /// One of the other cameras: its color, its name, and the buttons that look through it and remove it.
-fn other(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts, index: usize) {
+fn other(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: usize) {
     let mut asked = (false, false);
-    let mut is_beside = is_beside(model, index);
+    let mut is_beside = model.camera_beside() == Some(index);
     let own = model.desk.shown.figure().cameras[index].name.clone();
     name_row(ui, model, t, Some(index), |ui| {
         let of = |what: &str| format!("{what}: {}", escaped(&own));
@@ -51,25 +50,21 @@ fn other(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Tex
         let remove = ui.button("✖").explained(t.remove_hint).accessible_name(of(t.remove));
         asked = (look.clicked(), remove.clicked());
     });
-    let beside = ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint);
-    if beside.accessible_name(format!("{}: {}", t.beside, escaped(&own))).changed() {
-        let compare = is_beside.then(|| Comparison::of_camera(&model.desk.shown.figure().cameras[index].name));
-        model.desk.shown.edit_cameras(|figure| figure.compare = compare);
-    }
+    ui.horizontal(|ui| {
+        // Below the name, not the colour.
+        ui.add_space(24.0);
+        let beside = ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint);
+        if beside.accessible_name(format!("{}: {}", t.beside, escaped(&own))).changed() {
+            model.show_beside(is_beside.then_some(index));
+        }
+    });
     match asked {
-        (true, _) => cameras.look_through(model, index),
+        (true, _) => model.look_through(index),
         (_, true) => {
             model.desk.shown.edit_cameras(|figure| figure.remove_camera(index));
         }
         _ => {}
     }
-}
-
-/// True if the image of this camera stands beside that of the current one.
-fn is_beside(model: &Model, index: usize) -> bool {
-    let figure = model.desk.shown.figure();
-    let name = figure.compare.as_ref().and_then(|comparison| comparison.camera.as_ref());
-    name.is_some_and(|name| figure.cameras[index].name == *name)
 }
 
 /// Color, name, and the controls at the right.
@@ -144,7 +139,7 @@ fn name_field(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usi
 }
 
 /// The buttons that add cameras.
-fn add(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts, has_room: bool) {
+fn add(ui: &mut egui::Ui, model: &mut Model, t: &Texts, has_room: bool) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let button = |ui: &mut egui::Ui, text: &str, hint: &str| {
@@ -153,11 +148,7 @@ fn add(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts
             button.explained(hint).explained_disabled(t.full)
         };
         if button(ui, t.add, t.add_hint).clicked() {
-            let name = model.desk.shown.figure().free_camera_name();
-            model.keep_camera(&name);
-        }
-        if button(ui, t.before, t.before_hint).clicked() {
-            model.keep_camera(t.before_name);
+            model.keep_camera();
         }
         let is_perspective = model.desk.shown.camera().projection() == Projection::Perspective;
         let pair = ui.add_enabled(has_room && is_perspective, egui::Button::new(format!("{} ▾", t.pair)));
@@ -166,21 +157,21 @@ fn add(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts
         let popup = Popup::from_toggle_button_response(&pair).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.show(|ui| {
             ui.set_width(240.0);
-            stereo(ui, model, cameras, t);
+            stereo(ui, model, t);
         });
     });
 }
 
 /// The menu of the stereo pair: its baseline and its two kinds.
-fn stereo(ui: &mut egui::Ui, model: &mut Model, cameras: &mut CameraList, t: &Texts) {
+fn stereo(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let words = window::texts(model.settings.lang);
-    let mut baseline = cameras.baseline.unwrap_or(model.desk.shown.camera().distance() / 30.0);
+    let mut baseline = model.cameras.baseline.unwrap_or(model.desk.shown.camera().distance() / 30.0);
     row(ui, "", t.baseline, t.baseline_hint, |ui| {
         let field = NumberField::new(t.baseline, Step::Multiply(1.1)).positive().hint(t.baseline_hint).width(92.0);
         let before = baseline;
         field.show(ui, words, &mut baseline);
         if baseline != before {
-            cameras.baseline = Some(baseline);
+            model.cameras.baseline = Some(baseline);
         }
     });
     for (convergence, text, hint) in

@@ -10,7 +10,7 @@ use crate::explain::Symbol;
 use crate::gui::inspector::{more, section};
 use crate::gui::kit::{Explained, NumberField, Step, has_focus, help_topic_row, whole};
 use crate::limits;
-use camera_lab_desk::{Model, PhotographTool};
+use camera_lab_desk::Model;
 use camera_lab_words::why::notes;
 use camera_lab_words::window::{self, Texts};
 
@@ -18,7 +18,7 @@ const MAX_SIDE: f64 = limits::MAX_SIDE as f64;
 const MAX_OFFSET: f64 = limits::MAX_OFFSET as f64;
 
 /// Image size and, closed at first, the viewport.
-pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool) {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
     let t = window::texts(model.settings.lang);
     section(ui, t.image, "image", true, |ui| {
         let ImageSize { width, height } = model.desk.shown.figure().image;
@@ -61,7 +61,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut Photogra
                 model.desk.shown.set_parameters(parameters);
             }
         }
-        photograph::ui(ui, model, photograph);
+        photograph::ui(ui, model);
     });
     more(ui, t, t.viewport, |ui| viewport(ui, model, t));
 }

@@ -3,7 +3,7 @@
 
 use eframe::egui::{self, Popup, PopupCloseBehavior};
 
-use super::free_window::closed;
+use super::camera::symmetric_window;
 use super::{ParameterForm, complain, row, toggle};
 use crate::camera::{Camera, LensForm, LensNumbers, Parameters, Sensor, SensorFit};
 use crate::gui::kit::{Explained, NumberField, Step};
@@ -182,7 +182,7 @@ fn apply(form: &mut ParameterForm, change: Change, sensor: Sensor) {
         Change::Shift(shift) => {
             let moved = Parameters { window: Some(form.good.window_with_shift(sensor, shift)), ..parameters };
             // In the middle the window is the symmetric one again.
-            form.parameters = if shift == [0.0; 2] { closed(&moved) } else { moved };
+            form.parameters = if shift == [0.0; 2] { symmetric_window(&moved) } else { moved };
         }
     }
 }

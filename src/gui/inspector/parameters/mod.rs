@@ -3,7 +3,6 @@
 
 mod camera;
 mod cameras;
-mod free_window;
 mod image;
 mod lens_menu;
 mod photograph;
@@ -22,21 +21,20 @@ use crate::gui::kit::{
 };
 use crate::numbers;
 use crate::scene::Preset;
-use camera_lab_desk::{CameraList, Model, PhotographTool, Tab, symbols_of};
+use camera_lab_desk::{Model, Tab, symbols_of};
 use camera_lab_words::Lang;
 use camera_lab_words::messages::faults;
 use camera_lab_words::why::{explain_point, notes};
-use camera_lab_words::window::scenes;
-use camera_lab_words::window::{self, Texts};
+use camera_lab_words::window::{self, Texts, scenes};
 
 /// Shows the panel's content: one of its tabs.
-pub fn ui(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool, cameras: &mut CameraList) {
+pub fn ui(ui: &mut egui::Ui, model: &mut Model) {
     tabs(ui, model);
     let scroll = egui::ScrollArea::vertical().id_salt(model.settings.tab).auto_shrink(false);
     match model.settings.tab {
         Tab::Camera => {
             scroll.show(ui, |ui| {
-                camera_tab(ui, model, photograph, cameras);
+                camera_tab(ui, model);
                 keep_in_sight(ui);
             });
         }
@@ -75,7 +73,7 @@ fn tabs(ui: &mut egui::Ui, model: &mut Model) {
     ui.add_space(2.0);
 }
 
-fn camera_tab(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographTool, cameras: &mut CameraList) {
+fn camera_tab(ui: &mut egui::Ui, model: &mut Model) {
     let mut form = ParameterForm::new(model);
     if form.error.is_some() && model.frame.problem_out_of_sight {
         form.problem(ui);
@@ -102,8 +100,8 @@ fn camera_tab(ui: &mut egui::Ui, model: &mut Model, photograph: &mut PhotographT
         let shown = (!form.kept.contains(&measure)).then(MeasureText::default);
         model.desk.shown.edit_labels(|labels| labels.measure(measure, shown));
     }
-    cameras::ui(ui, model, cameras);
-    image::ui(ui, model, photograph);
+    cameras::ui(ui, model);
+    image::ui(ui, model);
 }
 
 /// The camera's parameters while their fields are shown, and their faults.

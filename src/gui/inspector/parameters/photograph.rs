@@ -6,23 +6,22 @@ use super::row;
 use crate::camera::ImageSize;
 use crate::figure::Photograph;
 use crate::gui::inspector::scene;
-use crate::gui::kit::number_field::{self};
-use crate::gui::kit::{Explained, NumberField, Step};
+use crate::gui::kit::{Explained, NumberField, Step, number_field};
 use crate::sanitize;
 use crate::scene::MeshNotice;
 use crate::views::View;
-use camera_lab_desk::{Action, FileFor, Model, PhotographTool};
+use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_words::window::photograph::{self as words, Texts};
 use camera_lab_words::{messages, window};
 
 /// The rows of the photograph, in the section of the image.
-pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph_state: &mut PhotographTool) {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
     let t = words::texts(model.settings.lang);
     let photograph = model.desk.shown.figure().photograph.clone();
     row(ui, "", t.photograph, t.hint, |ui| {
         if photograph.is_some() && ui.button("✖").explained(t.remove).accessible_name(t.remove).clicked() {
             model.desk.shown.edit(|figure| figure.photograph = None);
-            photograph_state.on = false;
+            model.photograph.on = false;
         }
         let name = photograph.as_ref().map_or_else(|| t.choose.to_owned(), |photograph| file_name(&photograph.file));
         let button = egui::Button::new(name).truncate();
@@ -30,7 +29,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph_state: &mut Ph
         let response = ui.add(button).explained(hint).accessible_name(t.choose_title);
         number_field::answer_call(ui, &response, t.choose_title);
         if response.clicked() {
-            model.actions.push(Action::File(FileFor::Photograph));
+            model.request(Action::File(FileFor::Photograph));
         }
     });
     if let Some(photograph) = &photograph {
@@ -38,9 +37,9 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, photograph_state: &mut Ph
         notice(ui, model);
         size(ui, model, t);
     }
-    let find = ui.add_enabled(photograph.is_some(), egui::Button::new(t.find).selected(photograph_state.on));
+    let find = ui.add_enabled(photograph.is_some(), egui::Button::new(t.find).selected(model.photograph.on));
     if find.explained(t.find_hint).explained_disabled(t.find_first).clicked() {
-        photograph_state.on ^= true;
+        model.photograph.on ^= true;
         model.layout.shown[View::Image.index()] = true;
     }
 }

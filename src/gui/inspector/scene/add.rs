@@ -42,7 +42,7 @@ fn entries(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
         }
     }
     if chosen(ui, t.shape_mesh_file) {
-        model.actions.push(Action::File(FileFor::Mesh(MeshFor::New)));
+        model.request(Action::File(FileFor::Mesh(MeshFor::New)));
     }
     ui.separator();
     if chosen(ui, t.group) {

@@ -9,6 +9,7 @@ mod tree;
 use std::collections::{BTreeMap, BTreeSet};
 
 use eframe::egui::{self, RichText};
+pub(super) use texture::mend;
 
 use super::{choice_row, row, section};
 use crate::explain::{Component, Symbol};
@@ -23,9 +24,7 @@ use camera_lab_words::Lang;
 use camera_lab_words::messages::faults;
 use camera_lab_words::why::notes;
 use camera_lab_words::window;
-use camera_lab_words::window::scenes;
-use camera_lab_words::window::scenes::Texts;
-pub(super) use texture::mend;
+use camera_lab_words::window::scenes::{self, Texts};
 
 /// A change requested by the tree or a button.
 enum Edit {
@@ -160,7 +159,6 @@ struct SceneForm {
     t: &'static Texts,
     window: &'static window::Texts,
     lang: Lang,
-    base: SceneSpec,
     scene: SceneSpec,
     error: Option<SceneError>,
     /// A unit of length that suits the scene.
@@ -174,15 +172,14 @@ struct SceneForm {
 impl SceneForm {
     fn new(model: &Model) -> Self {
         let lang = model.settings.lang;
-        let base = model.desk.shown.figure().scene.clone();
-        let draft = model.tree.draft.as_ref().filter(|draft| draft.base == base);
+        let scene = &model.desk.shown.figure().scene;
+        let draft = model.tree.draft.as_ref().filter(|draft| draft.base == *scene);
         Self {
             t: scenes::texts(lang),
             window: window::texts(lang),
             lang,
-            scene: draft.map_or_else(|| base.clone(), |draft| draft.now.clone()),
+            scene: draft.map_or(scene, |draft| &draft.now).clone(),
             error: draft.map(|draft| draft.error.clone()),
-            base,
             step: crate::numbers::power_of_ten(model.desk.shown.camera().distance() / 10.0).unwrap_or(1.0),
             measured: Vec::new(),
             pointed: Vec::new(),
@@ -221,7 +218,8 @@ impl SceneForm {
     fn finish(self, model: &mut Model) {
         model.frame.hover.measured.extend_from_slice(&self.measured);
         model.frame.hover.pointed.extend_from_slice(&self.pointed);
-        if self.scene == self.base {
+        let base = &model.desk.shown.figure().scene;
+        if self.scene == *base {
             model.tree.draft = None;
             return;
         }
@@ -230,7 +228,7 @@ impl SceneForm {
                 model.tree.draft = None;
                 model.desk.shown.edit(|figure| figure.scene = self.scene);
             }
-            Err(error) => model.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
+            Err(error) => model.tree.draft = Some(Draft { base: base.clone(), now: self.scene, error }),
         }
     }
 }
@@ -290,7 +288,7 @@ fn perform(model: &mut Model, edit: Edit) {
             if below == 0 {
                 remove(model, &names, Children::Removed);
             } else {
-                model.actions.push(Action::Delete { names, below });
+                model.request(Action::Delete { names, below });
             }
         }
         Edit::RemoveLight(index) => {
@@ -321,7 +319,7 @@ fn file_row(
         let (response, typed) = line.show(ui, t.lang, |text| Ok::<_, ()>(text.to_owned()));
         response.explained(hint).accessible_name(name);
         if ui.button(t.browse).clicked() {
-            model.actions.push(browse);
+            model.request(browse);
         }
         typed
     });

@@ -14,15 +14,12 @@ use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MAX_TYPED_NAME, MIN_SEGME
 use crate::numbers::without_rests;
 use crate::sanitize::escaped;
 use crate::scene::edit::{self, Children, descendants, placement};
-use crate::scene::transform;
-use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData};
+use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData, transform};
 use crate::views::Transforming;
 use camera_lab_desk::{Action, FileFor, MeshFor, Model, Selected, preset_objects};
-use camera_lab_words::messages;
-use camera_lab_words::messages::faults;
+use camera_lab_words::messages::{self, faults};
 use camera_lab_words::why::notes;
-use camera_lab_words::window::scenes;
-use camera_lab_words::window::scenes::{Texts, preset_object};
+use camera_lab_words::window::scenes::{self, Texts, preset_object};
 
 /// The fields of the object at this place of the list. Returns the request of its buttons.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<Edit> {
@@ -98,12 +95,11 @@ fn rename(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, name: &str
         Some(Err(problem)) => complaint(ui, &problem),
         Some(Ok(wanted)) => {
             // The draft of impossible numbers, if there is one, continues under the new name.
-            let mut base = form.base.clone();
-            if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
-                model.desk.shown.edit(|figure| figure.scene = base.clone());
+            let mut scene = model.desk.shown.figure().scene.clone();
+            if edit::rename(&mut scene, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
+                model.desk.shown.edit(|figure| figure.scene = scene);
                 model.desk.shown.show_mut().rename_object(name, &wanted);
                 model.desk.shown.edit_labels(|labels| labels.rename_object(name, &wanted));
-                form.base = base;
                 model.tree.select(Some(Selected::Object(wanted)));
             }
         }

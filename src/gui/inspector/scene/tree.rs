@@ -53,9 +53,10 @@ struct Dragged(String);
 /// Shows the tree, up to `height`, and returns the edits.
 pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, t: &'static Texts, height: f32) -> Vec<Edit> {
     let mut edits = Vec::new();
-    let scene = model.desk.shown.figure().scene.clone();
-    let rows = rows(&scene, model.scene_cache.scene(), &model.tree.folded, t);
-    let selected = model.tree.selected(&scene).cloned();
+    let scene = &model.desk.shown.figure().scene;
+    let is_empty = scene.objects.is_empty() && scene.preset == Preset::Empty;
+    let rows = rows(scene, model.scene_cache.scene(), &model.tree.folded, t);
+    let selected = model.tree.selected(scene).cloned();
     let dragged = egui::DragAndDrop::payload::<Dragged>(ui.ctx());
     let frame = egui::Frame::NONE
         .fill(ui.visuals().extreme_bg_color)
@@ -78,13 +79,14 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, t: &'static Texts, height
                 {
                     response.dnd_set_drag_payload(Dragged(name.clone()));
                 }
-                if let Some(edit) = dropped(ui, row, &response, &scene, dragged.as_deref()) {
+                let scene = &model.desk.shown.figure().scene;
+                if let Some(edit) = dropped(ui, row, &response, scene, dragged.as_deref()) {
                     edits.push(edit);
                 }
                 clicks_and_keys(ui, model, row, &response, &mut edits);
             }
             keep_in_sight(ui);
-            if scene.objects.is_empty() && scene.preset == Preset::Empty {
+            if is_empty {
                 ui.weak(t.empty);
             }
         });

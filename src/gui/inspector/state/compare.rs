@@ -1,10 +1,9 @@
-//! The comparison of the figure with itself in another way, with a kept camera or with another file.
+//! The comparison of the figure with itself in another way, with one of its cameras or with another file.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use crate::figure::{Comparison, Figure};
-use camera_lab_desk::{Action, Message, Model};
+use camera_lab_desk::{Message, Model};
 use camera_lab_files::{FileError, Opened};
 
 /// The values of the dialog that no figure has yet.
@@ -40,47 +39,53 @@ pub(in crate::gui) fn end(model: &mut Model) {
     }
 }
 
-/// Keeps the camera of the figure as A.
-pub(in crate::gui) fn keep_as_a(model: &mut Model, camera_a: &mut Option<Arc<Figure>>) {
-    *camera_a = Some(Arc::new(model.desk.shown.figure().clone()));
-    model.say(Message::CameraKept);
-}
-
-/// Swaps the sides of the comparison. Without one, compares with A.
-pub(in crate::gui) fn swap(model: &mut Model, camera_a: &Option<Arc<Figure>>) {
+/// Swaps the sides of the comparison. Without one, shows the image of the camera that was kept last beside this one.
+pub(in crate::gui) fn swap(model: &mut Model) {
     let figure = in_window(model);
-    let swapped = match (&figure.compare, camera_a.clone()) {
-        (Some(comparison), _) => comparison.swapped(&figure),
-        (None, Some(a)) => Some(compared_with(model, &a)),
-        (None, None) => return model.say(Message::NothingToSwap),
-    };
-    if let Some(figure) = swapped {
-        take(model, figure);
-        model.desk.commit();
+    match (&figure.compare, model.camera_beside(), figure.cameras.len().checked_sub(1)) {
+        (Some(_), Some(index), _) => model.look_through(index),
+        (Some(comparison), None, _) => {
+            if let Some(figure) = comparison.swapped(&figure) {
+                take(model, figure);
+            }
+        }
+        (None, _, Some(last)) => model.show_beside(Some(last)),
+        (None, _, None) => return model.say(Message::NothingToSwap),
     }
+    model.desk.commit();
 }
 
-/// Compares with the figure in a file.
-pub(in crate::gui) fn with_file(model: &mut Model, path: &Path, opened: Result<Opened, FileError>) {
+/// The way in which the figure shows two versions now, for the next one.
+pub(in crate::gui) fn look(figure: &Figure) -> Comparison {
+    let now = figure.compare.as_ref();
+    let Comparison { wiper, beside, differences, .. } = now.cloned().unwrap_or_default();
+    Comparison { wiper, beside, differences, ..Comparison::default() }
+}
+
+/// Compares with the figure in a file. Returns false if it can't be read.
+pub(in crate::gui) fn with_file(model: &mut Model, path: &Path, opened: Result<Opened, FileError>) -> bool {
     let other = match opened {
         Ok(opened) => opened.figure,
-        Err(error) => return model.say(Message::File(path.to_owned(), error)),
+        Err(error) => {
+            model.say(Message::File(path.to_owned(), error));
+            return false;
+        }
     };
     let is_same_scene = other.scene == model.desk.shown.figure().scene;
     let figure = compared_with(model, &other);
     take(model, figure);
     model.desk.commit();
-    model.actions.push(Action::Compare);
     if !is_same_scene {
         model.say(Message::OtherScene(path.to_owned()));
     }
+    true
 }
 
 /// The figure compared with the camera and the ways of drawing of another one.
 pub(in crate::gui) fn compared_with(model: &Model, other: &Figure) -> Figure {
     let figure = in_window(model);
-    let before = figure.compare.clone().unwrap_or_else(|| Comparison { beside: true, ..Comparison::default() });
-    Figure { compare: Some(before.with_figure(&figure, other)), ..figure }
+    let look = if figure.compare.is_some() { look(&figure) } else { Comparison { beside: true, ..look(&figure) } };
+    Figure { compare: Some(look.with_figure(&figure, other)), ..figure }
 }
 
 /// The figure with the convention of the window, which the figure itself lacks.

@@ -20,9 +20,8 @@ use crate::gui::kit::{Explained, prose};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Checked, Chosen, Done, joined};
 use camera_lab_desk::Model;
-use camera_lab_words::learn::exercise_messages as messages;
-use camera_lab_words::learn::exercise_window as words;
 use camera_lab_words::learn::exercise_window::Texts;
+use camera_lab_words::learn::{exercise_messages as messages, exercise_window as words};
 
 /// The open exercise, and the words of the window.
 #[derive(Clone, Copy)]

@@ -39,7 +39,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut 
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button(t.own_open).explained(t.own_open_hint).clicked() {
-            model.actions.push(Action::File(FileFor::Exercises));
+            model.request(Action::File(FileFor::Exercises));
         }
         let Some(own) = learn.exercises.own.clone() else { return };
         if ui.button(t.own_again).explained(t.own_again_hint).clicked() {

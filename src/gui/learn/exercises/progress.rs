@@ -29,12 +29,12 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &Lear
             let has_some = !learn.exercises.progress.is_empty();
             let export = ui.add_enabled(has_some, egui::Button::new(t.export_progress));
             if export.explained(t.export_progress_hint).clicked() {
-                model.actions.push(Action::File(FileFor::Progress));
+                model.request(Action::File(FileFor::Progress));
             }
             let has_typed = learn.exercises.typed.values().any(|typed| !typed.is_empty());
             let delete = ui.add_enabled(has_some || has_typed, egui::Button::new(format!("{}…", t.delete_progress)));
             if delete.explained(t.delete_progress_hint).clicked() {
-                model.actions.push(Action::DeleteProgress);
+                model.request(Action::DeleteProgress);
             }
         });
     });

@@ -1,12 +1,12 @@
 //! Handouts produced beside the window's thread: their pages for the preview, and the file.
 
-use crate::gui::kit::frames::frames;
 use std::time::Duration;
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use crate::clock;
 use crate::export::vector::{Page, pixels};
+use crate::gui::kit::frames;
 use crate::lessons::OpenLesson;
 use crate::picture::PictureError;
 use crate::progress::Progress;

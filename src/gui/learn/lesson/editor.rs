@@ -44,7 +44,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn
         asks = button.explained(task.new_question_hint).explained_disabled(task.has_task).clicked();
         ui.separator();
         if ui.button(t.read_again).explained(t.read_again_hint).clicked() {
-            model.actions.push(Action::Begin(Intent::ReadLesson));
+            model.request(Action::Begin(Intent::ReadLesson));
         }
         ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
     });

@@ -78,6 +78,8 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
     let close = ui.horizontal(|ui| at_right(ui, |ui| ui.button(window::texts(lang).close))).inner;
     let closes = close.clicked() || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
     let stays = chosen.is_none() && !closes;
-    model.actions.extend(chosen.map(|open| Action::Begin(Intent::Lesson(open))));
+    if let Some(open) = chosen {
+        model.request(Action::Begin(Intent::Lesson(open)));
+    }
     stays
 }

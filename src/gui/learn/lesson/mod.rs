@@ -16,6 +16,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
+pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
+pub(in crate::gui) use speaker::window as speaker_window;
 
 use crate::figure::{Explanation, Localized};
 use crate::gui::kit::{Command, Explained, Region, focus, prose, theme};
@@ -23,13 +25,10 @@ use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{self, Lesson, Link, Task};
 use camera_lab_desk::{Action, Model};
-use camera_lab_words::learn::exercises;
-use camera_lab_words::learn::lessons as words;
 use camera_lab_words::learn::lessons::Texts;
+use camera_lab_words::learn::{exercises, lessons as words};
 use camera_lab_words::why::notes;
 use camera_lab_words::{Lang, told};
-pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
-pub(in crate::gui) use speaker::window as speaker_window;
 
 /// The share of the window that text and task may take. Longer ones are scrolled.
 const SHARE: f32 = 0.42;
@@ -101,7 +100,7 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn)
         .inner
     });
     if shown.inner {
-        model.actions.push(Action::Offered(lessons::OpenLesson { lesson: first, path: None, step: 0 }));
+        model.request(Action::Offered(lessons::OpenLesson { lesson: first, path: None, step: 0 }));
     }
     if command.is_some() {
         learn.take_offer(model);
@@ -133,7 +132,7 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
             }
             ui.label("·");
             if ui.link(t.lessons).clicked() {
-                model.actions.push(Action::Lessons);
+                model.request(Action::Lessons);
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("✕").explained(t.no_go_on).accessible_name(t.no_go_on).clicked() {
@@ -142,7 +141,9 @@ pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
             });
         });
     });
-    model.actions.extend(open.map(Action::Offered));
+    if let Some(open) = open {
+        model.request(Action::Offered(open));
+    }
 }
 
 /// In a presentation, digits are the number of a step. The lesson goes to it after a moment, or at Enter.
@@ -319,7 +320,7 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
         } else if let Some(next) = after(&lesson) {
             let name = format!("{}: {} ▶", t.go_on_with, told(lang, &next.title));
             if ui.button(name).clicked() {
-                model.actions.push(Action::lesson(next, 0));
+                model.request(Action::lesson(next, 0));
             }
         }
         let place = words::place(lang, step + 1, count);
@@ -464,7 +465,7 @@ fn links(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn, links: &[
                     let name = format!("{}: {}", t.read_more, notes::plain(note.title));
                     let job = theme::sentence(ui, &name, &egui::TextStyle::Body, ui.visuals().hyperlink_color);
                     if ui.link(job).accessible_name(name).clicked() {
-                        model.actions.push(Action::Note(note.id));
+                        model.request(Action::Note(note.id));
                     }
                 }
                 Link::Exercise(id, seed) => {

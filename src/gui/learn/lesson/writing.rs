@@ -14,8 +14,7 @@ use crate::lessons::{
 };
 use crate::numbers::significant;
 use camera_lab_desk::{Message, Model, UnsavedText};
-use camera_lab_files::share;
-use camera_lab_files::{self as files, FileError, Overwrite};
+use camera_lab_files::{self as files, FileError, Overwrite, share};
 use camera_lab_words::Lang;
 
 /// Changes that can be taken back.

@@ -182,13 +182,15 @@ impl KeptObserver {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
 
+    use glam::DVec3;
+
     use super::*;
     use crate::camera::{Convention, Operation, Parameters};
     use crate::figure::Figure;
     use crate::geometry::Angle;
     use crate::views::View;
-    use camera_lab_words::{Lang, pictures::labels};
-    use glam::DVec3;
+    use camera_lab_words::Lang;
+    use camera_lab_words::pictures::labels;
 
     /// A picture of a figure without a scene, and its visible content.
     struct Seen {

@@ -183,8 +183,9 @@ fn divide(span: Rect, axis: Axis, share: f32, index: (usize, usize)) -> (Rect, B
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use eframe::egui::pos2;
+
+    use super::*;
 
     fn room(width: f32, height: f32) -> Rect {
         Rect::from_min_size(pos2(10.0, 20.0), vec2(width, height))

@@ -45,10 +45,11 @@ pub(in crate::gui::pictures) fn set(observers: &mut Observers, view: View, obser
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::figure::observer::HALF_VIEW_ANGLE;
     use eframe::egui::vec2;
     use glam::DVec3;
+
+    use super::*;
+    use crate::figure::observer::HALF_VIEW_ANGLE;
 
     fn observer() -> Observer {
         Observer {

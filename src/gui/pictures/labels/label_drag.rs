@@ -5,7 +5,6 @@ use glam::DVec2;
 
 use crate::figure::labels::note_name;
 use crate::figure::{Labels, Note, NotePlace};
-use crate::gui::pictures::labels::label_mode::LabelMode;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
@@ -37,15 +36,9 @@ impl LabelDrag {
     }
 
     /// The label follows the pointer (pixels).
-    pub(in crate::gui::pictures) fn follow(
-        &self,
-        model: &mut Model,
-        label_mode: &mut LabelMode,
-        to: DVec2,
-        ctx: &Context,
-    ) {
+    pub(in crate::gui::pictures) fn follow(&self, model: &mut Model, to: DVec2, ctx: &Context) {
         let by = self.label.moved_to(to + self.grip);
-        label_mode.choose(Some((self.view, self.label.name.clone())));
+        model.label_mode.choose(Some((self.view, self.label.name.clone())));
         if model.desk.shown.figure().labels.change(&self.label.name, self.view).by != Some(by) {
             model.desk.shown.edit_labels(|labels| labels.move_to(&self.label.name, self.view, by));
             ctx.request_repaint();
@@ -77,14 +70,13 @@ impl Canvas {
         &self,
         ui: &Ui,
         model: &Model,
-        label_mode: &LabelMode,
         pane: &Pane,
         place: Pos2,
         status: &mut Status,
     ) {
         let t = words::texts(model.settings.lang);
-        status.message = if label_mode.adding { t.adding } else { t.idle }.to_owned();
-        if label_mode.adding {
+        status.message = if model.label_mode.adding { t.adding } else { t.idle }.to_owned();
+        if model.label_mode.adding {
             ui.set_cursor_icon(CursorIcon::Crosshair);
         } else if label_at(&self.pictures[pane.picture].labels, pane.rect.pixel(place)).is_some() {
             ui.set_cursor_icon(CursorIcon::Grab);
@@ -92,7 +84,7 @@ impl Canvas {
     }
 
     /// A click chooses a label, or puts a note.
-    pub(in crate::gui::pictures) fn label_click(&self, model: &mut Model, label_mode: &mut LabelMode, pane: &Pane) {
+    pub(in crate::gui::pictures) fn label_click(&self, model: &mut Model, pane: &Pane) {
         let response = &pane.response;
         if response.clicked() || response.drag_started() {
             response.request_focus();
@@ -100,11 +92,11 @@ impl Canvas {
         let is_click = response.clicked_by(PointerButton::Primary) || response.clicked_by(PointerButton::Secondary);
         let Some(place) = response.interact_pointer_pos().filter(|_| is_click) else { return };
         let pixel = pane.rect.pixel(place);
-        if label_mode.adding {
-            add_note(model, label_mode, pane, pixel);
+        if model.label_mode.adding {
+            add_note(model, pane, pixel);
         } else {
             let label = label_at(&self.pictures[pane.picture].labels, pixel);
-            label_mode.choose(label.map(|label| (pane.view, label.name.clone())));
+            model.label_mode.choose(label.map(|label| (pane.view, label.name.clone())));
         }
         response.ctx.request_repaint();
     }
@@ -113,21 +105,20 @@ impl Canvas {
     pub(in crate::gui::pictures) fn label_by_key(
         &self,
         model: &mut Model,
-        label_mode: &mut LabelMode,
         pane: &Pane,
         key: Key,
         modifiers: Modifiers,
     ) -> bool {
-        if !label_mode.on {
+        if !model.label_mode.on {
             return false;
         }
-        if label_mode.adding && key == Key::Enter {
+        if model.label_mode.adding && key == Key::Enter {
             let size = pane.rect.size;
-            add_note(model, label_mode, pane, 0.5 * DVec2::new(f64::from(size.width), f64::from(size.height)));
+            add_note(model, pane, 0.5 * DVec2::new(f64::from(size.width), f64::from(size.height)));
             return true;
         }
         let arrow = arrow_of(key);
-        let Some((_, name)) = label_mode.chosen.clone().filter(|_| arrow != DVec2::ZERO) else { return false };
+        let Some((_, name)) = model.label_mode.chosen.clone().filter(|_| arrow != DVec2::ZERO) else { return false };
         let labels = &self.pictures[pane.picture].labels;
         let Some(label) = labels.iter().find(|label| label.name == name) else { return false };
         let step = if modifiers.shift { 1.0 } else { 0.25 } * label.em;
@@ -137,8 +128,8 @@ impl Canvas {
     }
 
     /// Frames around the labels that can be dragged, and around the chosen one.
-    pub(in crate::gui::pictures) fn outline_labels(&self, ui: &Ui, label_mode: &LabelMode, panes: &[Pane]) {
-        if !label_mode.on {
+    pub(in crate::gui::pictures) fn outline_labels(&self, ui: &Ui, model: &Model, panes: &[Pane]) {
+        if !model.label_mode.on {
             return;
         }
         for pane in panes {
@@ -149,7 +140,7 @@ impl Canvas {
                 #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
                 let [x, y, w, h] = [corner.x, corner.y, size.x, size.y].map(|v| v as f32);
                 let rect = pane.rect.rect_of(x, y, w, h).expand(1.0);
-                let is_chosen = label_mode.chosen.as_ref().is_some_and(|(_, name)| *name == label.name);
+                let is_chosen = model.label_mode.chosen.as_ref().is_some_and(|(_, name)| *name == label.name);
                 let stroke = if is_chosen {
                     Stroke::new(2.0, ui.visuals().hyperlink_color)
                 } else if hovered.is_some_and(|place| label.holds(place)) {
@@ -164,8 +155,8 @@ impl Canvas {
 }
 
 /// Puts a note at a place (pixels) of a picture, and chooses it.
-fn add_note(model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, pixel: DVec2) {
-    label_mode.adding = false;
+fn add_note(model: &mut Model, pane: &Pane, pixel: DVec2) {
+    model.label_mode.adding = false;
     let count = model.desk.shown.figure().labels.notes.len();
     if count >= MAX_LABELS {
         return;
@@ -177,8 +168,8 @@ fn add_note(model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, pixel: D
     let text = words::texts(model.settings.lang).note.to_owned();
     let note = Note { view, at, by: None, text, size: None, color: None };
     model.desk.shown.edit_labels(|labels| labels.notes.push(note));
-    label_mode.choose(Some((pane.view, note_name(count))));
-    label_mode.is_new = true;
+    model.label_mode.choose(Some((pane.view, note_name(count))));
+    model.label_mode.is_new = true;
 }
 
 /// The direction of an arrow key, x right and y up. Zero for any other key.

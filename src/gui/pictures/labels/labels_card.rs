@@ -9,9 +9,7 @@ use crate::appearance::Rgba;
 use crate::figure::labels::{LEGEND, Labels, is_in_legend, note_index, set_text};
 use crate::figure::words::{DIMENSIONS, value};
 use crate::figure::{Letters, Measure, MeasureText};
-use crate::gui::kit::text_field::{self};
-use crate::gui::kit::{Explained, TextField, theme};
-use crate::gui::pictures::labels::label_mode::LabelMode;
+use crate::gui::kit::{Explained, TextField, text_field, theme};
 use crate::gui::pictures::{Canvas, Pane};
 use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
 use crate::sanitize::escaped;
@@ -26,29 +24,23 @@ const LARGER: f64 = 1.25;
 
 impl Canvas {
     /// Shows the card while the mode is on. The user can move it.
-    pub(in crate::gui::pictures) fn labels_card(
-        &self,
-        ui: &Ui,
-        model: &mut Model,
-        label_mode: &mut LabelMode,
-        panes: &[Pane],
-    ) {
-        label_mode.is_typing = false;
+    pub(in crate::gui::pictures) fn labels_card(&self, ui: &Ui, model: &mut Model, panes: &[Pane]) {
+        model.label_mode.is_typing = false;
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
-        let Some(room) = room.filter(|_| label_mode.on) else { return };
+        let Some(room) = room.filter(|_| model.label_mode.on) else { return };
         let t = words::texts(model.settings.lang);
         let window = Window::new(t.title).id(Id::unique("card of labels")).constrain_to(room).resizable(false);
         let window =
             window.default_width(250.0).pivot(Align2::RIGHT_BOTTOM).default_pos(room.right_bottom() - vec2(8.0, 8.0));
         window.collapsible(false).show(ui.ctx(), |ui| {
             ui.set_max_width(250.0);
-            self.choice(ui, label_mode, panes, t);
-            if let Some((view, name)) = label_mode.chosen.clone() {
-                self.chosen(ui, model, label_mode, (view, &name), t);
+            self.choice(ui, model, panes, t);
+            if let Some((view, name)) = model.label_mode.chosen.clone() {
+                self.chosen(ui, model, (view, &name), t);
             }
             ui.separator();
             measures(ui, model, t);
-            whole(ui, model, label_mode, t);
+            whole(ui, model, t);
             for (name, near) in unknown_labels(&self.shot, model.scene_cache.scene()) {
                 let text = words::unknown(model.settings.lang, &name, near.as_deref());
                 ui.colored_label(ui.visuals().warn_fg_color, text);
@@ -57,7 +49,7 @@ impl Canvas {
     }
 
     /// The label to change.
-    fn choice(&self, ui: &mut Ui, label_mode: &mut LabelMode, panes: &[Pane], t: &Texts) {
+    fn choice(&self, ui: &mut Ui, model: &mut Model, panes: &[Pane], t: &Texts) {
         let mut all: Vec<(View, String)> = Vec::new();
         for pane in panes {
             for label in &self.pictures[pane.picture].labels {
@@ -66,7 +58,7 @@ impl Canvas {
                 }
             }
         }
-        let mut chosen = label_mode.chosen.clone();
+        let mut chosen = model.label_mode.chosen.clone();
         ui.horizontal(|ui| {
             let label = ui.label(t.choose);
             let shown = chosen.as_ref().map_or_else(|| t.none.to_owned(), |(_, name)| escaped(name));
@@ -79,23 +71,16 @@ impl Canvas {
             });
             combo.response.labelled_by(label.id).explained(t.choose_hint);
         });
-        label_mode.choose(chosen);
+        model.label_mode.choose(chosen);
     }
 
     /// The author's wishes for a label.
-    fn chosen(
-        &self,
-        ui: &mut Ui,
-        model: &mut Model,
-        label_mode: &mut LabelMode,
-        (view, name): (View, &str),
-        t: &Texts,
-    ) {
+    fn chosen(&self, ui: &mut Ui, model: &mut Model, (view, name): (View, &str), t: &Texts) {
         let change = model.desk.shown.figure().labels.change(name, view);
         let (size, color) = (change.size, change.color);
         let place = self.pictures.iter().flat_map(|picture| &picture.labels).find(|label| label.name == name);
         let own = change.text.map(str::to_owned).or_else(|| place.map(|place| place.text.clone()));
-        self.text(ui, model, label_mode, (view, name, own.unwrap_or_default()), t);
+        self.text(ui, model, (view, name, own.unwrap_or_default()), t);
         text_of_measure(ui, model, name, t);
         ui.horizontal(|ui| {
             ui.label(t.size);
@@ -122,15 +107,15 @@ impl Canvas {
             let hide = if note_index(name).is_some() { t.delete } else { t.hide };
             if ui.button(hide).clicked() {
                 model.desk.shown.edit_labels(|labels| labels.hide(name));
-                label_mode.choose(None);
+                model.label_mode.choose(None);
             }
             if is_in_legend(name) && ui.button(t.hide_legend).explained(t.legend_hint).clicked() {
                 model.desk.shown.edit_labels(|labels| labels.hide(LEGEND));
-                label_mode.choose(None);
+                model.label_mode.choose(None);
             }
             if ui.button(t.automatic).explained(t.automatic_hint).clicked() {
                 model.desk.shown.edit_labels(|labels| labels.reset(name));
-                label_mode.typed = None;
+                model.label_mode.typed = None;
             }
         });
     }
@@ -149,16 +134,9 @@ impl Canvas {
     }
 
     /// The field of its text, which becomes the figure's as far as it's valid.
-    fn text(
-        &self,
-        ui: &mut Ui,
-        model: &mut Model,
-        label_mode: &mut LabelMode,
-        (view, name, own): (View, &str, String),
-        t: &Texts,
-    ) {
+    fn text(&self, ui: &mut Ui, model: &mut Model, (view, name, own): (View, &str, String), t: &Texts) {
         let lang = model.settings.lang;
-        let mut typed = label_mode.typed.clone().unwrap_or_else(|| own.clone());
+        let mut typed = model.label_mode.typed.clone().unwrap_or_else(|| own.clone());
         let response = ui
             .horizontal(|ui| {
                 let label = ui.label(t.text);
@@ -169,22 +147,22 @@ impl Canvas {
                 field.show(ui, lang).labelled_by(label.id).explained(t.text_hint)
             })
             .inner;
-        if std::mem::take(&mut label_mode.is_new) {
+        if std::mem::take(&mut model.label_mode.is_new) {
             response.request_focus();
             text_field::select(ui.ctx(), response.id, 0..typed.chars().count());
         }
-        label_mode.is_typing = response.has_focus() || response.lost_focus();
+        model.label_mode.is_typing = response.has_focus() || response.lost_focus();
         if response.changed() {
             if set_text(&typed).is_ok() {
                 let view = self.renamed_in(&model.desk.shown.figure().labels, view, name);
                 model.desk.shown.edit_labels(|labels| labels.rename(name, view, &typed));
             }
-            label_mode.typed = Some(typed);
+            model.label_mode.typed = Some(typed);
         } else if let Err(error) = set_text(&typed) {
             ui.colored_label(ui.visuals().error_fg_color, words::refused(lang, &error));
         }
         if response.lost_focus() {
-            label_mode.typed = None;
+            model.label_mode.typed = None;
         }
     }
 }
@@ -236,7 +214,7 @@ fn text_of_measure(ui: &mut Ui, model: &mut Model, name: &str, t: &Texts) {
 }
 
 /// The part for all labels.
-fn whole(ui: &mut Ui, model: &mut Model, label_mode: &mut LabelMode, t: &Texts) {
+fn whole(ui: &mut Ui, model: &mut Model, t: &Texts) {
     let labels = &model.desk.shown.figure().labels;
     let (hidden, notes) = (labels.hidden.clone(), labels.notes.len());
     let mut is_mathematics = labels.letters == Letters::Mathematics;
@@ -256,16 +234,16 @@ fn whole(ui: &mut Ui, model: &mut Model, label_mode: &mut LabelMode, t: &Texts) 
     }
     ui.horizontal_wrapped(|ui| {
         let has_room = notes < MAX_LABELS;
-        let add = ui.add_enabled(has_room, egui::Button::new(t.add).selected(label_mode.adding));
+        let add = ui.add_enabled(has_room, egui::Button::new(t.add).selected(model.label_mode.adding));
         if add.explained(if has_room { t.add_hint } else { t.full }).clicked() {
-            label_mode.adding ^= true;
+            model.label_mode.adding ^= true;
         }
         if ui.button(t.all_automatic).explained(t.all_automatic_hint).clicked() {
             model.desk.shown.edit_labels(|labels| labels.reset_all());
-            label_mode.typed = None;
+            model.label_mode.typed = None;
         }
         if ui.button(t.leave).clicked() {
-            label_mode.toggle();
+            model.label_mode.toggle();
         }
     });
 }

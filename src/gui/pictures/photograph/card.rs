@@ -5,25 +5,19 @@ use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 use crate::camera::{Camera, PhotographCamera, WorldAxis};
 use crate::gui::kit::{Explained, NumberField, Step};
 use crate::gui::pictures::{Canvas, Pane};
-use camera_lab_desk::{Drawn, Model, PhotographTool};
+use camera_lab_desk::{Drawn, Model};
 use camera_lab_words::why::photograph as steps;
-use camera_lab_words::window;
-use camera_lab_words::window::photograph as words;
 use camera_lab_words::window::photograph::Texts;
+use camera_lab_words::window::{self, photograph as words};
 
 /// The width of the card.
 const WIDTH: f32 = 286.0;
 
 impl Canvas {
     /// Shows the card while the tool is open. The user can move it.
-    pub(in crate::gui::pictures) fn photograph_card(
-        ui: &Ui,
-        model: &mut Model,
-        photograph: &mut PhotographTool,
-        panes: &[Pane],
-    ) {
+    pub(in crate::gui::pictures) fn photograph_card(ui: &Ui, model: &mut Model, panes: &[Pane]) {
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
-        let Some(room) = room.filter(|_| photograph.on) else { return };
+        let Some(room) = room.filter(|_| model.photograph.on) else { return };
         let t = words::texts(model.settings.lang);
         let whole = ui.ctx().content_rect();
         let card = Window::new(t.title).id(Id::unique("card of the photograph")).constrain_to(whole).resizable(false);
@@ -31,10 +25,10 @@ impl Canvas {
         let card = card.default_width(WIDTH).default_pos(room.right_top() + vec2(8.0, 0.0));
         card.collapsible(false).show(ui.ctx(), |ui| {
             ui.set_width(WIDTH);
-            drawn(ui, model, photograph, t);
+            drawn(ui, model, t);
             ui.separator();
             let given = *model.desk.shown.camera().parameters();
-            let found = photograph.camera(model.desk.shown.figure().image, &given);
+            let found = model.photograph.camera(model.desk.shown.figure().image, &given);
             let scroll = ScrollArea::vertical().max_height((room.height() - 230.0).max(80.0));
             scroll.show(ui, |ui| match &found {
                 Ok(found) => account(ui, model, found),
@@ -50,12 +44,12 @@ impl Canvas {
                 {
                     use_camera(model, &found);
                 }
-                let is_empty = photograph.grips().is_empty();
+                let is_empty = model.photograph.grips().is_empty();
                 if ui.add_enabled(!is_empty, Button::new(t.clear)).clicked() {
-                    photograph.clear();
+                    model.photograph.clear();
                 }
                 if ui.button(window::texts(t.lang).close).clicked() {
-                    photograph.step_back();
+                    model.photograph.step_back();
                 }
             });
         });
@@ -63,7 +57,7 @@ impl Canvas {
 }
 
 /// The kind of mark that the next drag draws, and the coordinate of the known length.
-fn drawn(ui: &mut Ui, model: &Model, photograph_state: &mut PhotographTool, t: &Texts) {
+fn drawn(ui: &mut Ui, model: &mut Model, t: &Texts) {
     let lang = model.settings.lang;
     ui.add(egui::Label::new(RichText::new(t.how).small()).wrap());
     if model.desk.shown.figure().compare.as_ref().is_some_and(|comparison| comparison.beside) {
@@ -78,22 +72,22 @@ fn drawn(ui: &mut Ui, model: &Model, photograph_state: &mut PhotographTool, t: &
                 Drawn::Origin => (t.origin, t.origin.to_owned(), t.origin_hint),
                 Drawn::Length => (t.known, t.known.to_owned(), t.known_hint),
             };
-            let button = ui.add(Button::new(text).selected(photograph_state.drawn == drawn)).explained(hint);
+            let button = ui.add(Button::new(text).selected(model.photograph.drawn == drawn)).explained(hint);
             if button.accessible_name(name).clicked() {
-                photograph_state.drawn = drawn;
+                model.photograph.drawn = drawn;
             }
         }
     });
-    if photograph_state.drawn == Drawn::Length || photograph_state.marks.length.is_some() {
-        length(ui, model, photograph_state, t);
+    if model.photograph.drawn == Drawn::Length || model.photograph.marks.length.is_some() {
+        length(ui, model, t);
     }
-    let of = |axis| photograph_state.marks.lines.iter().filter(|line| line.axis == axis).count();
+    let of = |axis| model.photograph.marks.lines.iter().filter(|line| line.axis == axis).count();
     ui.label(RichText::new(words::counts(lang, WorldAxis::ALL.map(of))).small().weak());
 }
 
 /// The axis and the coordinate of the point of the length.
-fn length(ui: &mut Ui, model: &Model, photograph: &mut PhotographTool, t: &Texts) {
-    let (mut axis, mut coordinate) = photograph.length;
+fn length(ui: &mut Ui, model: &mut Model, t: &Texts) {
+    let (mut axis, mut coordinate) = model.photograph.length;
     ui.horizontal(|ui| {
         for one in WorldAxis::ALL {
             let button = ui.selectable_label(axis == one, one.name());
@@ -110,9 +104,9 @@ fn length(ui: &mut Ui, model: &Model, photograph: &mut PhotographTool, t: &Texts
             coordinate = before;
         }
     });
-    photograph.length = (axis, coordinate);
-    if let Some((_, at, _)) = photograph.marks.length {
-        photograph.marks.length = Some((axis, at, coordinate));
+    model.photograph.length = (axis, coordinate);
+    if let Some((_, at, _)) = model.photograph.marks.length {
+        model.photograph.marks.length = Some((axis, at, coordinate));
     }
 }
 

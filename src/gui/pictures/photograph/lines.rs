@@ -13,7 +13,9 @@ use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{Palette, View};
+use camera_lab_desk::settings::Settings;
 use camera_lab_desk::{Drawn, Grip, Model, PhotographTool, SHORTEST};
+use camera_lab_words::Lang;
 use camera_lab_words::window::photograph as words;
 
 /// The radius of a grip, and that in which the pointer catches it, in points.
@@ -24,30 +26,26 @@ const FAST: f64 = 10.0;
 
 impl Canvas {
     /// Shows the lines while the tool is open, and lets pointer and keys draw and move them.
-    pub(in crate::gui::pictures) fn photograph_lines(
-        ui: &Ui,
-        model: &Model,
-        photograph: &mut PhotographTool,
-        panes: &[Pane],
-    ) {
+    pub(in crate::gui::pictures) fn photograph_lines(ui: &Ui, model: &mut Model, panes: &[Pane]) {
         // Two images side by side have no place for them.
         let shows = |pane: &&Pane| {
             let compared = pane.request.shot.compared.as_ref();
             pane.view == View::Image && compared.is_none_or(|compared| !compared.comparison.beside)
         };
-        let Some(pane) = panes.iter().find(shows).filter(|_| photograph.on) else { return };
+        let Some(pane) = panes.iter().find(shows).filter(|_| model.photograph.on) else { return };
+        let Model { photograph, settings, desk, .. } = model;
         let place = ImagePlace::of(pane);
         draw(ui, photograph, pane, &place);
         let mut removed = None;
         for (grip, at) in photograph.grips() {
-            removed = removed.or(drag(ui, model, photograph, pane, &place, (grip, at)));
+            removed = removed.or(drag(ui, settings.lang, photograph, pane, &place, (grip, at)));
         }
         if let Some(grip) = removed {
             photograph.remove(grip);
         }
-        let parameters = *model.desk.shown.camera().parameters();
-        let found = photograph.camera(model.desk.shown.figure().image, &parameters).ok();
-        paint(ui, model, photograph, pane, &place, found.as_ref());
+        let parameters = *desk.shown.camera().parameters();
+        let found = photograph.camera(desk.shown.figure().image, &parameters).ok();
+        paint(ui, settings, photograph, pane, &place, found.as_ref());
     }
 }
 
@@ -90,7 +88,7 @@ fn held_at(response: &Response) -> Option<Pos2> {
 /// A grip follows the pointer and the arrow keys. Returns it if its mark is to be removed.
 fn drag(
     ui: &Ui,
-    model: &Model,
+    lang: Lang,
     photograph: &mut PhotographTool,
     pane: &Pane,
     place: &ImagePlace,
@@ -103,7 +101,7 @@ fn drag(
     let middle = place.on_screen(at);
     let rect = Rect::from_center_size(middle, Vec2::splat(2.0 * REACH)).intersect(pane.rect.rect);
     let response = ui.interact(rect, Id::unique(("photograph", grip)), Sense::click_and_drag());
-    let name = name(model, photograph, grip);
+    let name = name(lang, photograph, grip);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     let response = response.on_hover_and_drag_cursor(CursorIcon::Grab);
     if response.clicked() || response.drag_started() {
@@ -125,8 +123,7 @@ fn drag(
 }
 
 /// The name of a grip for screen readers.
-fn name(model: &Model, photograph: &PhotographTool, grip: Grip) -> String {
-    let (lang, tool) = (model.settings.lang, photograph);
+fn name(lang: Lang, tool: &PhotographTool, grip: Grip) -> String {
     match grip {
         Grip::End(line, end) => words::end(lang, (line + 1, tool.marks.lines[line].axis), end == 0),
         Grip::Origin => words::texts(lang).origin.to_owned(),
@@ -168,13 +165,13 @@ fn stroke(painter: &Painter, ends: [Pos2; 2], width: f32, [color, paper]: [Color
 
 fn paint(
     ui: &Ui,
-    model: &Model,
+    settings: &Settings,
     photograph: &PhotographTool,
     pane: &Pane,
     place: &ImagePlace,
     found: Option<&PhotographCamera>,
 ) {
-    let palette = Palette::of(model.settings.theme);
+    let palette = Palette::of(settings.theme);
     let painter = ui.painter().with_clip_rect(pane.rect.rect);
     let paper = color_of(palette.paper);
     let marks = &photograph.marks;
@@ -209,7 +206,7 @@ fn paint(
             Grip::End(line, 1) => marks.lines[line].axis.name().to_owned(),
             Grip::End(..) => continue,
             Grip::Origin => "O".to_owned(),
-            Grip::Length => words::length(model.settings.lang, photograph.length),
+            Grip::Length => words::length(settings.lang, photograph.length),
         };
         label(ui, &painter, middle, &name, [color, paper]);
     }

@@ -5,8 +5,7 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, CameraError, Parameters};
 use crate::numbers::DecimalMark;
-use crate::views::Request;
-use crate::views::{Handle, handles};
+use crate::views::{Handle, Request, handles};
 use camera_lab_words::window;
 use camera_lab_words::window::canvas::CanvasTexts;
 

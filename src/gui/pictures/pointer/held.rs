@@ -9,9 +9,7 @@ use super::followed::PointDrag;
 use crate::figure::Observer;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::LabelDrag;
-use crate::gui::pictures::labels::label_mode::LabelMode;
-use crate::gui::pictures::pointer::handle_drag;
-use crate::gui::pictures::pointer::handle_drag::HandleDrag;
+use crate::gui::pictures::pointer::handle_drag::{self, HandleDrag};
 use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
@@ -60,18 +58,12 @@ pub(in crate::gui::pictures) struct GizmoDrag {
 }
 
 impl Canvas {
-    pub(in crate::gui::pictures) fn drag(
-        &mut self,
-        ui: &Ui,
-        model: &mut Model,
-        label_mode: &mut LabelMode,
-        pane: &Pane,
-    ) {
+    pub(in crate::gui::pictures) fn drag(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) {
         let (origin, pointer) = ui.input(|i| (i.pointer.press_origin(), i.pointer.latest_pos()));
         if pane.response.drag_started()
             && let Some(origin) = origin
         {
-            self.drag = self.taken(ui, model, label_mode, pane, origin).map(|drag| (pane.picture, drag));
+            self.drag = self.taken(ui, model, pane, origin).map(|drag| (pane.picture, drag));
         }
         if self.drag.as_ref().is_none_or(|(picture, _)| *picture != pane.picture) {
             return;
@@ -81,7 +73,7 @@ impl Canvas {
             return;
         }
         if let (Some(origin), Some(pointer)) = (origin, pointer) {
-            self.follow(ui, model, label_mode, pane, origin, pointer);
+            self.follow(ui, model, pane, origin, pointer);
         }
         if pane.response.drag_stopped() || !ui.input(|i| i.pointer.any_down()) {
             self.drag = None;
@@ -89,19 +81,19 @@ impl Canvas {
     }
 
     /// The drag that a press at `origin` begins.
-    fn taken(&self, ui: &Ui, model: &Model, label_mode: &LabelMode, pane: &Pane, origin: Pos2) -> Option<Drag> {
+    fn taken(&self, ui: &Ui, model: &Model, pane: &Pane, origin: Pos2) -> Option<Drag> {
         let Pane { picture, view, request, .. } = pane;
         let picture = *picture;
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
         let from = pane.rect.pixel(origin);
         let point = || PointDrag::taken(request.clone(), from, pane);
-        if label_mode.on && primary {
+        if model.label_mode.on && primary {
             let labels = &self.pictures[picture].labels;
             if let Some(held) = LabelDrag::taken(labels, *view, from, model) {
                 return Some(Drag::Label(Box::new(held)));
             }
         }
-        let is_own = pane.is_own(origin) && !label_mode.on;
+        let is_own = pane.is_own(origin) && !model.label_mode.on;
         if *view == View::Image {
             if let Some(held) = (primary && is_own).then(point).flatten() {
                 return Some(Drag::Point(Box::new(held)));
@@ -133,15 +125,7 @@ impl Canvas {
         })
     }
 
-    fn follow(
-        &mut self,
-        ui: &Ui,
-        model: &mut Model,
-        label_mode: &mut LabelMode,
-        pane: &Pane,
-        origin: Pos2,
-        pointer: Pos2,
-    ) {
+    fn follow(&mut self, ui: &Ui, model: &mut Model, pane: &Pane, origin: Pos2, pointer: Pos2) {
         let motion = pointer - origin;
         let request = &pane.request;
         match &mut self.drag {
@@ -165,7 +149,7 @@ impl Canvas {
             }
             Some((_, Drag::Point(held))) => held.follow(model, pane.rect.pixel(pointer), ui.ctx()),
             Some((_, Drag::Label(held))) => {
-                held.follow(model, label_mode, pane.rect.pixel(pointer), ui.ctx());
+                held.follow(model, pane.rect.pixel(pointer), ui.ctx());
             }
             Some((_, Drag::Camera(held))) => {
                 let points = DVec2::new(f64::from(motion.x), f64::from(motion.y));

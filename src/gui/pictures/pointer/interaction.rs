@@ -3,26 +3,23 @@
 use eframe::egui::{self, Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
 use glam::DVec2;
 
-use super::camera_drag;
-use super::followed;
 use super::held::{GIZMO_REACH, gizmo_lines, tell};
 use super::keyboard_probe::{ProbeStep, Probing};
-use super::other_camera;
-use super::picking::{self, PickQuery, PickRequest};
-use super::pixel::pixel_of;
+use super::picking::{self, PickQuery, PickRequest, pixel_of};
 use super::probe_steps::Click;
+use super::{camera_drag, followed, handle_drag};
 use crate::camera::{Convention, Operation};
 use crate::geometry::Angle;
 use crate::gui::pictures::arrange::orbit;
 use crate::gui::pictures::labels::label_drag::arrow_of;
-use crate::gui::pictures::labels::label_mode::LabelMode;
-use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
+use crate::sanitize::escaped;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
-use crate::views::{Handle, Hover, Probe, Request, Transforming, View, pick};
-use camera_lab_desk::{Model, ObserverChange, PhotographTool, Placing};
+use crate::views::{Handle, Hover, Probe, Request, Transforming, View, camera_at, pick};
+use camera_lab_desk::{Model, ObserverChange, Placing};
+use camera_lab_words::window::cameras;
 use camera_lab_words::window::canvas::CanvasTexts;
 
 /// Logarithm of the zoom for one point of the wheel.
@@ -40,7 +37,6 @@ impl Canvas {
         &mut self,
         ui: &Ui,
         model: &mut Model,
-        (label_mode, photograph): (&mut LabelMode, &mut PhotographTool),
         placing: &mut Option<Placing>,
         panes: &[Pane],
         texts: &'static CanvasTexts,
@@ -50,14 +46,14 @@ impl Canvas {
             self.drag = None;
         }
         let escape = self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape));
-        if escape && label_mode.on {
+        if escape && model.label_mode.on {
             // A field that the user types in gives the key up first.
-            if !label_mode.is_typing {
-                label_mode.step_back();
+            if !model.label_mode.is_typing {
+                model.label_mode.step_back();
             }
-        } else if escape && photograph.on {
+        } else if escape && model.photograph.on {
             if !ui.ctx().text_edit_focused() {
-                photograph.step_back();
+                model.photograph.step_back();
             }
         } else if escape {
             // One thing after the other.
@@ -71,21 +67,21 @@ impl Canvas {
         self.hover_pick = None;
         self.hover.hovered = None;
         for pane in panes {
-            self.focus(ui, model, label_mode, placing, pane);
-            if Self::place(ui, model, pane, placing.as_mut()) {
+            self.focus(ui, model, placing, pane);
+            if Self::place(ui, pane, placing.as_mut()) {
                 continue;
             }
             if !self.fingers(ui, model, pane) {
-                self.drag(ui, model, label_mode, pane);
+                self.drag(ui, model, pane);
                 self.wheel(ui, model, pane);
             }
             if self.drag.is_none() && pane.response.hovered() && !ui.input(|i| i.pointer.any_down()) {
-                hovered = self.hover(ui, model, label_mode, pane, &mut status, texts);
+                hovered = self.hover(ui, model, pane, &mut status, texts);
                 if let Some((probe, place)) = hovered.zip(pane.response.hover_pos()) {
                     self.probed_side = pane.side(place).map(|side| (probe, side.request));
                 }
             }
-            self.click(model, label_mode, pane, hovered);
+            self.click(model, pane, hovered);
             if status.message.is_empty() && pane.response.has_focus() {
                 keys_hint(pane.view, texts).clone_into(&mut status.message);
             }
@@ -111,10 +107,10 @@ impl Canvas {
         status
     }
 
-    fn click(&mut self, model: &mut Model, label_mode: &mut LabelMode, pane: &Pane, hovered: Option<Probe>) {
+    fn click(&mut self, model: &mut Model, pane: &Pane, hovered: Option<Probe>) {
         let response = &pane.response;
-        if label_mode.on {
-            self.label_click(model, label_mode, pane);
+        if model.label_mode.on {
+            self.label_click(model, pane);
             return;
         }
         if response.double_clicked_by(PointerButton::Primary) {
@@ -125,7 +121,7 @@ impl Canvas {
         } else if response.clicked_by(PointerButton::Primary)
             && response.hovered()
             && self.hover.hovered.is_none()
-            && other_camera::is_clicked(model, pane)
+            && looks_through_clicked(model, pane)
         {
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
@@ -175,7 +171,6 @@ impl Canvas {
         &mut self,
         ui: &Ui,
         model: &Model,
-        label_mode: &LabelMode,
         pane: &Pane,
         status: &mut Status,
         texts: &'static CanvasTexts,
@@ -185,8 +180,8 @@ impl Canvas {
         let is_own = pane.is_own(place);
         let (camera, digits) = (model.desk.shown.camera(), model.settings.digits.min(6));
         status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
-        if label_mode.on {
-            self.label_hover(ui, model, label_mode, pane, place, status);
+        if model.label_mode.on {
+            self.label_hover(ui, model, pane, place, status);
             return None;
         }
         if pane.view == View::World
@@ -213,8 +208,8 @@ impl Canvas {
             tell(ui, status, &lines, handle_drag::cursor(false));
             return Some(Probe::Point(p));
         }
-        if is_own && let Some(index) = other_camera::hovered(request, pointer, pane) {
-            tell(ui, status, &other_camera::lines(index, model), egui::CursorIcon::PointingHand);
+        if is_own && let Some(index) = camera_under(request, pointer, pane) {
+            tell(ui, status, &camera_lines(index, model), egui::CursorIcon::PointingHand);
             return None;
         }
         status.message = match pane.view {
@@ -250,14 +245,7 @@ impl Canvas {
     // The keys.
 
     /// Keeps the arrow keys in a picture that has the focus, and lets the keys act.
-    fn focus(
-        &mut self,
-        ui: &Ui,
-        model: &mut Model,
-        label_mode: &mut LabelMode,
-        placing: &mut Option<Placing>,
-        pane: &Pane,
-    ) {
+    fn focus(&mut self, ui: &Ui, model: &mut Model, placing: &mut Option<Placing>, pane: &Pane) {
         if !pane.response.has_focus() {
             return;
         }
@@ -273,8 +261,8 @@ impl Canvas {
             i.events.iter().filter_map(key).collect()
         });
         for (key, modifiers) in pressed {
-            if !Self::place_by_key(model, placing.as_mut(), pane, key, modifiers)
-                && !self.label_by_key(model, label_mode, pane, key, modifiers)
+            if !Self::place_by_key(placing.as_mut(), pane, key, modifiers)
+                && !self.label_by_key(model, pane, key, modifiers)
                 && !self.probe_by_key(model, pane, key, modifiers)
             {
                 self.key(model, pane, key, modifiers);
@@ -373,4 +361,49 @@ fn keys_hint(view: View, texts: &CanvasTexts) -> &'static str {
         View::Canonical => texts.keys_in_canonical,
         View::Image => texts.keys_in_image,
     }
+}
+
+impl Canvas {
+    /// Lets two fingers move and zoom a three-dimensional picture. True while they are on it. Takes back the action
+    /// that the first finger had begun before the second came, because it wasn't meant.
+    pub(in crate::gui::pictures) fn fingers(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) -> bool {
+        let touch = ui.input(|input| input.multi_touch());
+        let Some(touch) = touch.filter(|touch| pane.rect.rect.contains(touch.start_pos)) else { return false };
+        if self.drag.is_some() {
+            self.give_up(model);
+        }
+        let moved = pane.rect.pixel(touch.center_pos) - pane.rect.pixel(touch.center_pos - touch.translation_delta);
+        if pane.view != View::Image
+            && let Some(seen) = self.seen(pane.picture)
+        {
+            let at = pane.rect.pixel(touch.center_pos);
+            let moved = seen.pan(moved.x, moved.y, pane.rect.size.smaller_side());
+            let observer = orbit::zoomed_at(moved, f64::from(touch.zoom_delta), at, pane.rect.size);
+            if observer != seen {
+                self.turn(model, pane.picture, observer);
+            }
+        }
+        true
+    }
+}
+
+/// The place in the list of the camera at the pointer (pixels).
+fn camera_under(request: &Request, pointer: DVec2, pane: &Pane) -> Option<usize> {
+    let reach = pane.rect.pixels(handle_drag::REACH);
+    camera_at(request, pointer, reach).filter(|_| pane.view == View::World)
+}
+
+/// Its name, and the effect of a click.
+fn camera_lines(index: usize, model: &Model) -> [String; 2] {
+    let name = model.desk.shown.figure().cameras.get(index).map_or("", |other| &other.name);
+    [escaped(name), cameras::texts(model.settings.lang).click.to_owned()]
+}
+
+/// Looks through the clicked camera. Returns false if there is none.
+fn looks_through_clicked(model: &mut Model, pane: &Pane) -> bool {
+    let Some(place) = pane.response.interact_pointer_pos().filter(|place| pane.is_own(*place)) else { return false };
+    let (request, pointer) = pane.under(place);
+    let Some(index) = camera_under(&request, pointer, pane) else { return false };
+    model.look_through(index);
+    true
 }

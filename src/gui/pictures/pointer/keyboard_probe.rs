@@ -3,7 +3,7 @@
 use eframe::egui::Key;
 use glam::DVec2;
 
-use super::pixel::{center_of, pixel_of};
+use super::picking::{center_of, pixel_of};
 use crate::camera::ImageSize;
 use crate::views::{Probe, Request, View, pick};
 

@@ -1,13 +1,13 @@
 //! Finds the target of the pointer: immediately in a light scene, beside the window's thread in a heavy one, so that
 //! neither the pointer nor the pictures wait for a walk through a million triangles.
 
-use crate::gui::kit::frames::frames;
 use eframe::egui;
 use glam::{DVec2, DVec3};
 
 use super::keyboard_probe::ProbeStep;
-use super::pixel::{center_of, pixel_of};
+use crate::camera::{Camera, ImageSize};
 use crate::figure::Depth;
+use crate::gui::kit::frames;
 use crate::progress::{Progress, at_once, pause};
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Request, View, pick};
@@ -149,6 +149,18 @@ impl Picker {
         self.found.poll(MAX_WAIT);
         self.found.newest().filter(|(last, _)| *last == pick).map(|(_, found)| found.clone())
     }
+}
+
+/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22). On the right and the lower
+/// border, the last one.
+pub(in crate::gui::pictures) fn pixel_of(image: ImageSize, camera: &Camera, point: DVec2) -> DVec2 {
+    let last = DVec2::new(f64::from(image.width), f64::from(image.height)) - 1.0;
+    image.image_from_window(&camera.window(), point).floor().clamp(DVec2::ZERO, last.max(DVec2::ZERO))
+}
+
+/// The point of the view window at the centre of a pixel, `[0]` Eq. (5.23).
+pub(in crate::gui::pictures) fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec2 {
+    image.window_from_image(&camera.window(), pixel + 0.5)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::gui::pictures::image_place::ImagePlace;
 use crate::gui::pictures::labels::label_drag::arrow_of;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::views::{View, pick};
-use camera_lab_desk::{Action, Model, Placing};
+use camera_lab_desk::Placing;
 
 /// Half a side of the cross, and the radius of the rings, in points.
 const CROSS: f32 = 11.0;
@@ -16,20 +16,9 @@ const RING: f32 = 7.0;
 /// Pixels of the image for one press of an arrow key with Shift.
 const FAST: f64 = 10.0;
 
-/// Puts the cross there.
-fn put(model: &mut Model, placing: &mut Placing, place: DVec2) {
-    placing.mark = Some(place.to_array());
-    model.actions.push(Action::PutMark(placing.of.clone(), place.to_array()));
-}
-
 impl Canvas {
     /// Puts the cross under the pointer, if a question asks for a place. Returns false if none does.
-    pub(in crate::gui::pictures) fn place(
-        ui: &Ui,
-        model: &mut Model,
-        pane: &Pane,
-        placing: Option<&mut Placing>,
-    ) -> bool {
+    pub(in crate::gui::pictures) fn place(ui: &Ui, pane: &Pane, placing: Option<&mut Placing>) -> bool {
         let Some(placing) = placing.filter(|placing| placing.is_open && pane.view == View::Image) else { return false };
         let response = &pane.response;
         if response.hovered() {
@@ -42,14 +31,13 @@ impl Canvas {
             let request = &pane.request;
             let place = request.shot.look.image.image_from_window(&request.camera.window(), point);
             response.request_focus();
-            put(model, placing, place.round());
+            placing.mark = Some(place.round().to_array());
         }
         true
     }
 
     /// Moves the cross by an arrow key. Returns true if it was one.
     pub(in crate::gui::pictures) fn place_by_key(
-        model: &mut Model,
         placing: Option<&mut Placing>,
         pane: &Pane,
         key: Key,
@@ -63,7 +51,7 @@ impl Canvas {
         let from = placing.mark.map_or(0.5 * sides, DVec2::from_array);
         let step = if held.shift { FAST } else { 1.0 };
         let to = from + step * DVec2::new(arrow.x, -arrow.y);
-        put(model, placing, to.clamp(DVec2::ZERO, sides).round());
+        placing.mark = Some(to.clamp(DVec2::ZERO, sides).round().to_array());
         true
     }
 

@@ -1,9 +1,9 @@
 //! The vertex at a point: its number and its object.
 
-use crate::gui::kit::frames::frames;
 use eframe::egui;
 use glam::DVec3;
 
+use crate::gui::kit::frames;
 use crate::progress::Progress;
 use crate::scene::edit::placements;
 use crate::scene::{Scene, SceneSpec, ShapeData};

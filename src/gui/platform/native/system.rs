@@ -1,6 +1,5 @@
 //! The system's file dialogs, on a thread of their own, because they block.
 
-use crate::gui::kit::frames::frames;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::pin::Pin;
@@ -10,6 +9,7 @@ use eframe::egui;
 
 use super::{FileAnswer, FileQuestion, Wanted};
 use crate::clock;
+use crate::gui::kit::frames;
 use crate::progress::Progress;
 use camera_lab_desk::{Done, Worker};
 

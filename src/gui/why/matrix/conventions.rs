@@ -6,8 +6,7 @@ use crate::camera::{Api, Ndc};
 use crate::gui::kit::{Explained, choice_row, complaint};
 use crate::gui::why::state::explain::Explain;
 use camera_lab_desk::Model;
-use camera_lab_words::why::conventions;
-use camera_lab_words::why::conventions::{Texts, finite_instead};
+use camera_lab_words::why::conventions::{self, Texts, finite_instead};
 
 /// Shows the choices. Below them come the numbers that depend on them.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {

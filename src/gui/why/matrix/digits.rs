@@ -3,7 +3,8 @@
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use eframe::egui::{Color32, FontId, Id, TextFormat, Ui, text::LayoutJob};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{Color32, FontId, Id, TextFormat, Ui};
 
 /// Duration of the glow, in seconds.
 const SECONDS: f64 = 1.0;

@@ -8,15 +8,13 @@ use super::entries::{self, Cell};
 use crate::camera::{Ndc, Projection};
 use crate::explain::{EntryFormula, Formula, Matrix, MatrixFormula, Setting, forward, leaves};
 use crate::gui::kit::{Both, Explained, erratum, help_topic, prose, theme};
-use crate::gui::why::answer;
-use crate::gui::why::answer::Writing;
+use crate::gui::why::ExplainedSetting;
+use crate::gui::why::answer::{self, Writing};
 use crate::gui::why::state::explain::Explain;
-use crate::gui::why::subject::ExplainedSetting;
 use crate::numbers::without_rests;
 use camera_lab_desk::{Matrices, Model, Reading};
-use camera_lab_words::why::explain as words;
 use camera_lab_words::why::explain::Texts;
-use camera_lab_words::why::{conventions, entry_reasons, notes};
+use camera_lab_words::why::{conventions, entry_reasons, explain as words, notes};
 use camera_lab_words::window;
 
 /// Shows the tab.

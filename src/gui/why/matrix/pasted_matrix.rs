@@ -13,8 +13,7 @@ use crate::limits::{MAX_ANSWER, MAX_SIDE};
 use crate::sanitize;
 use camera_lab_desk::Model;
 use camera_lab_words::why::conventions;
-use camera_lab_words::why::dialects;
-use camera_lab_words::why::dialects::Texts;
+use camera_lab_words::why::dialects::{self, Texts};
 use camera_lab_words::window;
 
 /// The note on a pasted matrix.

@@ -3,10 +3,11 @@
 use super::notes::Notes;
 use super::order::Order;
 use super::triangle::TriangleNumbers;
-use crate::camera::{Axes, CameraError, ImageSize, MatrixKind, Parameters};
+use crate::camera::{Axes, CameraError, ImageSize, MatrixKind, Ndc, Parameters};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
 use crate::figure::Explanation;
+use crate::numerics::Resolution;
 use crate::views::SharedScene;
 use camera_lab_desk::{Memo, Model};
 
@@ -21,6 +22,8 @@ pub struct Explain {
     pub share: f64,
     /// The gap between two surfaces, in scene units, for the test if they can be told apart.
     pub gap: f64,
+    /// The resolutions of the formats of depth buffers, by the camera, its NDC, a depth and a gap.
+    pub(in crate::gui) resolutions: Memo<(Parameters, Ndc, [f64; 2]), Vec<Resolution>>,
     /// The numbers of the triangle followed step by step.
     pub triangle: TriangleNumbers,
     /// The target of the code.
@@ -57,6 +60,7 @@ impl Default for Explain {
             notes: Notes::default(),
             share: 0.5,
             gap: 0.01,
+            resolutions: Memo::default(),
             triangle: TriangleNumbers::default(),
             code: CodeTarget::default(),
             refused: None,

@@ -1,11 +1,11 @@
 //! The triangle followed step by step. Its pixels are found beside the window's thread in heavy scenes.
 
-use crate::gui::kit::frames::frames;
 use std::sync::Arc;
 
 use eframe::egui;
 
 use crate::figure::{ShownTriangle, TriangleStep};
+use crate::gui::kit::frames;
 use crate::picture::{FollowedTriangle, TrianglePixels};
 use crate::pipeline::one_triangle::TriangleSteps;
 use crate::progress::{Progress, at_once};

@@ -1,12 +1,12 @@
 //! Does jobs without threads, a slice of them in each frame.
 
-use crate::Wake;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
 use super::shares::Shares;
 use super::{Done, Make, Running, Shared, Slices, Work};
+use crate::Wake;
 
 /// Time for jobs in a frame, between steps of the animation.
 const SLICE: Duration = Duration::from_millis(30);

@@ -9,22 +9,24 @@ mod news;
 mod session_file;
 mod writer;
 
-use crate::Wake;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-use crate::clock;
-use crate::document::{Document, Seen};
-use crate::history::Revision;
-use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
-use camera_lab_files::disk::{self, Lock};
-use camera_lab_files::{self as files, FileError, Overwrite};
 pub use news::{Keeping, News, NewsList, NotKept};
 pub use session_file::Restored;
 use session_file::SessionFile;
 pub use writer::Kept;
 use writer::Writer;
+
+use crate::document::{Document, Seen};
+use crate::figure::Localized;
+use crate::history::Revision;
+use crate::lessons::TaskText;
+use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
+use crate::{Wake, clock};
+use camera_lab_files::disk::{self, Lock};
+use camera_lab_files::{self as files, FileError, Overwrite};
 
 /// If the window has shown a figure for this long, the figure doesn't keep the program from starting.
 const SURVIVED: Duration = if cfg!(target_arch = "wasm32") {
@@ -336,6 +338,21 @@ pub fn aside(file: &Path) -> PathBuf {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let others = (1..MOST_ASIDE).map(|number| file.with_file_name(format!("{stem}-{number}.damaged")));
     std::iter::once(first.clone()).chain(others).find(|path| !disk::may_exist(path)).unwrap_or(first)
+}
+
+/// The text of a lesson that isn't in its file. A session stores it, and a window continues with it after a crash.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnsavedText {
+    /// The file.
+    pub path: PathBuf,
+    /// The step whose texts were written, from 0.
+    pub step: usize,
+    /// The text of the file as the window last read or wrote it.
+    pub text: String,
+    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as typed.
+    pub words: [Localized; 6],
+    /// The task of the step, as typed.
+    pub task: TaskText,
 }
 
 #[cfg(test)]

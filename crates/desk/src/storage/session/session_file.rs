@@ -4,11 +4,10 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::document::Document;
-use crate::document::fresh;
+use crate::document::{Document, fresh};
 use crate::figure::{Figure, Localized, read, update};
 use crate::lessons::{TaskKind, TaskText, text_of_step};
-use crate::unsaved_text::UnsavedText;
+use crate::storage::session::UnsavedText;
 use camera_lab_files::{Carried, SourceFile, disk};
 
 /// A path that comes back unchanged, as text if it's text.

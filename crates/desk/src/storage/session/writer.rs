@@ -1,18 +1,17 @@
 //! Stores a window's figure, beside the window's thread.
 
-use crate::Wake;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
 use super::session_file::SessionFile;
 use crate::background::worker::Worker;
-use crate::clock;
 use crate::document::{Document, Seen};
 use crate::figure::Figure;
 use crate::history::Revision;
 use crate::progress::Progress;
-use crate::unsaved_text::UnsavedText;
+use crate::storage::session::UnsavedText;
+use crate::{Wake, clock};
 use camera_lab_files::disk::{self, Lock};
 use camera_lab_files::{self as files, Carried, FileError, Overwrite};
 

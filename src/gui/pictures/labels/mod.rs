@@ -1,5 +1,0 @@
-//! The mode *Labels*, in which labels can be moved, renamed and hidden.
-
-pub(super) mod label_drag;
-pub(in crate::gui) mod label_mode;
-pub(super) mod labels_card;

@@ -1,4 +1,0 @@
-//! The lines about what outlives a window.
-
-pub mod recovery;
-pub mod session_news;
