@@ -8,7 +8,7 @@ use super::{Failure, accuracy_of_figure, json_of, print, progress};
 use crate::cli::args::words::{DataFormat, written};
 use crate::export::plot::{self, Block};
 use crate::numerics::overhead::{self, Price};
-use crate::numerics::{self, Effort, Findings, Row, Study};
+use crate::numerics::{self, Effort, Findings, Study};
 use crate::progress::at_once;
 use crate::sanitize;
 use camera_lab_words::why::numerics as words;

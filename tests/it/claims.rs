@@ -316,7 +316,7 @@ fn every_command_is_in_its_guide() {
 #[cfg(feature = "gui")]
 mod of_window {
     use camera_lab::gui::app::command::MENUS;
-    use camera_lab::gui::kit::command::Command;
+    use camera_lab::gui::kit::keys::Command;
     use camera_lab::gui::{Start, State};
     use eframe::egui::ModifierNames;
 

@@ -45,8 +45,25 @@ impl Action {
 
     /// Asks where to write a chart with this title.
     pub fn chart(title: &str, chart: Chart) -> Self {
-        Self::File(FileFor::Chart(Box::new(Block { title: title.to_owned(), rows: vec![vec![chart]] })))
+        Self::chart_with(title, chart, [const { String::new() }; 2])
     }
+
+    /// Asks where to write a chart with this title, or its numbers as CSV or JSON.
+    pub fn chart_with(title: &str, chart: Chart, [csv, json]: [String; 2]) -> Self {
+        let block = Block { title: title.to_owned(), rows: vec![vec![chart]] };
+        Self::File(FileFor::Chart(Box::new(ChartFile { block, csv, json })))
+    }
+}
+
+/// A chart for a file, and its numbers, which are empty if it has none of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChartFile {
+    /// The chart.
+    pub block: Block,
+    /// As CSV.
+    pub csv: String,
+    /// As JSON.
+    pub json: String,
 }
 
 /// A file that a feature asks for.
@@ -64,7 +81,7 @@ pub enum FileFor {
     /// the name.
     Animation(Decomposition),
     /// To write a chart.
-    Chart(Box<Block>),
+    Chart(Box<ChartFile>),
     /// To export progress in exercises, as a table for spreadsheets.
     Progress,
     /// A folder of a lecturer's own exercises.

@@ -1,9 +1,12 @@
 //! Values that the parts of the window exchange from frame to frame.
 
+use std::sync::Arc;
+
 use crate::action::Action;
 use crate::camera::Camera;
 use crate::figure::{Observers, TransformPreview};
 use crate::layout::ObserverChange;
+use crate::picture::Pixels;
 use crate::pipeline::StageReport;
 use crate::shown::{OpenPanels, PanelHover};
 use crate::views::{Probe, View};
@@ -56,6 +59,10 @@ pub struct Exchange {
     ///
     /// *Set by* any feature. *Read by* the window, which performs it. *Lives* until the end of the frame.
     pub request: Option<Action>,
+    /// The image of a way to draw the figure, beside the exact one.
+    ///
+    /// *Set by* the study of the figure. *Read by* the view of the image, which takes it. *Lives* for a frame.
+    pub method_image: Option<Arc<MethodImage>>,
     /// The report of the strip's view, stage by stage.
     ///
     /// *Set by* the views while the stages are explained. *Read by* their explanation. *Lives* until it changes.
@@ -76,7 +83,35 @@ impl Default for Exchange {
             answered: None,
             placed: Vec::new(),
             request: None,
+            method_image: None,
             reports: Vec::new(),
         }
+    }
+}
+
+/// The exact image of a figure, and the image of a way to draw it.
+#[derive(Debug)]
+pub struct MethodImage {
+    /// The exact image.
+    pub exact: Pixels,
+    /// The image of the way, in which the pixels that differ visibly are tinted.
+    pub drawn: Pixels,
+}
+
+impl MethodImage {
+    /// A channel that differs by more than this, of 255, makes its pixel differ.
+    const VISIBLE: u8 = 4;
+
+    /// Tints the pixels that differ. `None` if the images have different sizes.
+    pub fn new(exact: &Pixels, drawn: &Pixels, tint: [u8; 3]) -> Option<Self> {
+        let size = [drawn.width(), drawn.height()];
+        let mut bytes = drawn.rgba().to_vec();
+        for (pixel, exact) in bytes.chunks_exact_mut(4).zip(exact.rgba().chunks_exact(4)) {
+            if pixel.iter().zip(exact).any(|(a, b)| a.abs_diff(*b) > Self::VISIBLE) {
+                pixel[..3].copy_from_slice(&tint);
+            }
+        }
+        let drawn = Pixels::opaque(size, bytes).filter(|_| size == [exact.width(), exact.height()])?;
+        Some(Self { exact: exact.clone(), drawn })
     }
 }

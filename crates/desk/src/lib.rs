@@ -46,7 +46,7 @@ pub mod watch;
 
 use std::time::Duration;
 
-pub use action::{Action, FileFor, Intent, MeshFor};
+pub use action::{Action, ChartFile, FileFor, Intent, MeshFor};
 pub use background::memo::{Latest, Memo};
 pub use background::worker::{Done, Running, Worker};
 pub use coach::Advice;
@@ -54,6 +54,7 @@ pub use comparison::{Comparison, LineOrigin};
 pub use desk::Desk;
 pub use document::Document;
 pub use document::source::Source;
+pub use exchange::MethodImage;
 pub use explained::matrices::{Matrices, Reading, symbols_of};
 pub use explained::steps::{Steps, end_of, step_at, time_of};
 pub use explained::{Conventions, Question};

@@ -5,6 +5,7 @@ pub(super) mod family;
 pub mod family_choice;
 pub mod preview;
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -15,7 +16,7 @@ use crate::camera::{Camera, Convention, Decomposition};
 use crate::clock;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
-use crate::export::plot::{Block, encode};
+use crate::export::plot::encode;
 use crate::export::vector::Letters;
 use crate::figure::variation::{Variation, VariationError, variants};
 use crate::figure::{Figure, update};
@@ -29,7 +30,7 @@ use crate::picture::{
 };
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
-use camera_lab_desk::{ExportError, Job, Model, Running, Shortfall, Worker};
+use camera_lab_desk::{ChartFile, ExportError, Job, Model, Running, Shortfall, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileError, LeftOut, Overwrite};
 use camera_lab_words::{Lang, pictures};
 
@@ -404,7 +405,14 @@ impl Task {
 }
 
 /// Writes charts, in the format given by the ending of the file.
-pub(super) fn save_chart(block: &Block, lang: Lang, path: &Path, overwrite: Overwrite) -> Result<(), FileError> {
+pub(super) fn save_chart(chart: &ChartFile, lang: Lang, path: &Path, overwrite: Overwrite) -> Result<(), FileError> {
+    let ChartFile { block, csv, json } = chart;
+    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+    for (table, own) in [(csv, "csv"), (json, "json")] {
+        if !table.is_empty() && ending.as_deref() == Some(OsStr::new(own)) {
+            return files::save(path, table.as_bytes(), overwrite);
+        }
+    }
     let format = PictureFormat::of(path).unwrap_or(PictureFormat::Svg);
     let (bytes, beside) = encode(std::slice::from_ref(block), lang.tag(), format, path)
         .map_err(|error| FileError::Write(std::io::Error::other(error)))?;

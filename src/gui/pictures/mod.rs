@@ -11,6 +11,7 @@ mod card;
 pub(super) mod highlight;
 mod icons;
 mod image_place;
+mod method_image;
 /// The mode *Labels*, in which labels can be moved, renamed and hidden.
 pub(super) mod labels {
     pub(super) mod label_drag;
@@ -127,6 +128,8 @@ pub struct Canvas {
     /// A click whose target hasn't been found yet, and its picker.
     clicked: Option<Click>,
     click_picker: Picker,
+    /// The image of a way to draw, beside the exact one.
+    method: method_image::MethodPane,
     /// The steps of a lesson whose pictures have begun to fade in.
     faded: u64,
     /// The command chosen in a context menu, until it's taken.
@@ -278,6 +281,7 @@ impl Canvas {
         self.labels_card(ui, model, &panes);
         Self::marks(ui, inputs.placing.as_ref(), &panes);
         Self::wipers(ui, model, &panes);
+        self.method_image(ui, model, &panes);
         Self::photograph_lines(ui, model, &panes);
         Self::photograph_card(ui, model, &panes);
 

@@ -18,6 +18,7 @@ use crate::common::scenes::{CLAY, TARGET, cube, eye, object, only};
 
 const FORCED: Options = Options {
     force_all_stages: true,
+    force_stage: None,
     output: Output::Pixels,
     depth_of_volume: false,
     shown: None,

@@ -1,7 +1,6 @@
 //! The words of the study of the figure at hand: error, time and memory of each way to draw it.
 
 use super::reasons::reason;
-use crate::Lang;
 use crate::figure::words::{DEPTH_FORMATS, SHADINGS, VISIBILITIES, Words};
 use crate::limits::{MAX_RAY_TRIANGLES, MAX_STEPPED_PIXELS};
 use crate::numbers::{in_threes, significant};
@@ -124,6 +123,21 @@ pub fn left_out(lang: Lang, study: &Study) -> Vec<String> {
     lines
 }
 
+/// Time, share of differing pixels and memory of a way.
+pub fn columns(lang: Lang, way: &Way) -> [String; 3] {
+    let different = format!("{} %", percent(lang, way.cost.different));
+    [milliseconds(lang, way.ms.median), different, mebibytes(lang, way.cost.bytes)]
+}
+
+/// The mark of a way: on the front, off it, or undecided.
+pub const fn mark(way: &Way) -> char {
+    match (way.undecided, way.front) {
+        (true, _) => '?',
+        (false, true) => '*',
+        (false, false) => ' ',
+    }
+}
+
 /// A study as a table: `*` marks the front, the fastest way comes first.
 pub fn table(lang: Lang, scene: &SceneSpec, study: &Study) -> String {
     let t = texts(lang);
@@ -137,11 +151,7 @@ pub fn table(lang: Lang, scene: &SceneSpec, study: &Study) -> String {
     let mut ways: Vec<&Way> = study.ways.iter().collect();
     ways.sort_by(|a, b| a.ms.median.total_cmp(&b.ms.median));
     for way in ways {
-        let mark = match (way.undecided, way.front) {
-            (true, _) => '?',
-            (false, true) => '*',
-            (false, false) => ' ',
-        };
+        let mark = mark(way);
         let share = |share: f64| format!("{} %", percent(lang, share));
         let [low, high] = [way.ms.low, way.ms.high].map(|ms| milliseconds(lang, ms));
         table += &format!(

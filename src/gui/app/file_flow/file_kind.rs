@@ -92,8 +92,11 @@ impl FileKind {
                     if name.is_some() { (t.copy_title, t.copy_action) } else { (t.step_title, t.step_action) };
                 (Wanted::NewFile, title, action, filters, name.unwrap_or_else(|| t.step_file.to_owned()))
             }
-            Purpose::For(FileFor::Chart(_)) => {
-                let filters = formats(t.chart_filter, PictureFormat::Svg);
+            Purpose::For(FileFor::Chart(chart)) => {
+                let mut filters = formats(t.chart_filter, PictureFormat::Svg);
+                let tables = [(&chart.csv, "CSV", &["csv"][..]), (&chart.json, "JSON", &["json"][..])];
+                let tables = tables.into_iter().filter(|(table, ..)| !table.is_empty());
+                filters.extend(tables.map(|(_, name, endings)| (name.to_owned(), endings)));
                 new_file(t.export_chart_title, filters, format!("{stem}-{}.svg", t.chart_file))
             }
             Purpose::Handout(form) => {

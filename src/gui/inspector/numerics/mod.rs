@@ -3,6 +3,7 @@
 
 mod plot;
 pub(in crate::gui) mod state;
+pub(in crate::gui) mod this_figure;
 
 use std::time::Duration;
 
@@ -25,7 +26,9 @@ const TABLE: f32 = 380.0;
 /// Shows the panel's content.
 pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
     numerics.take(Duration::ZERO);
-    numerics.begin(ui.ctx());
+    if !numerics.of_figure {
+        numerics.begin(ui.ctx());
+    }
     if numerics.measuring().is_some() {
         ui.ctx().request_repaint_after(GLANCE);
     }
@@ -39,6 +42,9 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
             });
         });
         ui.separator();
+        if numerics.of_figure {
+            return this_figure::ui(ui, model, &mut numerics.this_figure);
+        }
         let Some(findings) = numerics.found(numerics.study).cloned() else {
             nothing_yet(ui, model, numerics);
             return;
@@ -71,6 +77,7 @@ fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
         ui.set_width(LIST - 12.0);
         let measuring = numerics_state.measuring();
         match measuring {
+            _ if numerics_state.of_figure => this_figure::button(ui, model, &mut numerics_state.this_figure),
             None => {
                 if ui.button(t.measure).explained(t.measure_hint).clicked() {
                     numerics_state.measure(ui.ctx());
@@ -86,13 +93,19 @@ fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
             }
         }
         ui.add_space(2.0);
+        let this = camera_lab_words::why::this_figure::texts(lang);
+        if ui.selectable_label(numerics_state.of_figure, this.tab).explained(this.tab_hint).clicked() {
+            numerics_state.of_figure = true;
+        }
+        ui.separator();
         for study in Study::ALL {
             let mark = if numerics_state.found(study).is_some() { "✔ " } else { "" };
-            let chosen = numerics_state.study == study;
+            let chosen = numerics_state.study == study && !numerics_state.of_figure;
             let label = ui.selectable_label(chosen, format!("{mark}{}", words::short_title(lang, study)));
             if label.explained(words::title(lang, study)).clicked() && !chosen {
                 let numerics = &mut *numerics_state;
                 (numerics.study, numerics.case, numerics.parameter) = (study, 0, None);
+                numerics.of_figure = false;
             }
         }
     });

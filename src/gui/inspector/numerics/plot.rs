@@ -61,10 +61,11 @@ pub(super) fn show(
     row.filter(|_| shown.response.clicked()).cloned()
 }
 
-fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
+pub(super) fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
     for (place, series) in chart.series.iter().enumerate() {
         let color = color_of(series.color, dark);
-        let points = || -> PlotPoints<'_> { series.points.iter().map(|p| p.map(f64::log10)).collect() };
+        let along = |p: &[f64; 2]| [0, 1].map(|axis| chart.axes[axis].along(p[axis]));
+        let points = || -> PlotPoints<'_> { series.points.iter().map(along).collect() };
         let width = match series.look {
             Look::Curve => Some(1.5),
             Look::BoldCurve => Some(3.0),

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use eframe::egui;
 
+use super::this_figure::ThisFigure;
 use crate::gui::kit::frames;
 use crate::numerics::{self, Effort, Findings, Study};
 use crate::progress::Progress;
@@ -15,6 +16,10 @@ use camera_lab_desk::{Latest, Running};
 pub struct Numerics {
     /// True if the panel is shown.
     pub shown: bool,
+    /// True for the study of the figure on the screen, rather than one of random cameras.
+    pub of_figure: bool,
+    /// The study of the figure on the screen.
+    pub this_figure: ThisFigure,
     /// The displayed study.
     pub study: Study,
     /// The case, by its index.
@@ -35,6 +40,8 @@ impl Default for Numerics {
     fn default() -> Self {
         Self {
             shown: false,
+            of_figure: true,
+            this_figure: ThisFigure::default(),
             study: Study::VertexTransform,
             case: 0,
             over_time: false,

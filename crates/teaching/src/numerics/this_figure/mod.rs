@@ -12,6 +12,7 @@ mod chart;
 mod choices;
 mod exact_image;
 mod savings;
+mod tables;
 
 use std::collections::HashMap;
 use std::sync::Arc;
