@@ -5,6 +5,7 @@ use std::time::Duration;
 use camera_lab::camera::Camera;
 use camera_lab::numerics::{Effort, OWN, Study};
 use camera_lab_words::Lang;
+use camera_lab_words::why::this_figure;
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -90,9 +91,44 @@ fn the_panel_speaks_portuguese_and_goes_away_again() {
 #[test]
 fn a_cancelled_study_is_not_shown_as_measured() {
     let mut window = window_with(Lang::En, Effort { seed: 1, seconds: 600.0, thorough: true });
+    window.click("Worlds far away");
     window.click(en::WINDOW.cancel);
     window.app_mut().state.numerics.take(Duration::from_secs(120));
     window.run();
     assert!(window.state().numerics.found(Study::VertexTransform).is_none());
     assert!(window.harness.query_by_label(en::NUMERICS.measure).is_some());
+}
+
+/// The panel opens with the figure on the screen. A way that's chosen is shown beside the exact image, and its keys are
+/// written in one step.
+#[test]
+fn the_figure_is_examined_and_the_keys_of_a_way_are_used_in_one_step() {
+    let mut window = Window::new(Lang::En);
+    let state = &mut window.app_mut().state;
+    state.model.desk.shown.edit(|figure| figure.image = camera_lab::camera::ImageSize { width: 64, height: 48 });
+    state.numerics.this_figure.effort.seconds = 0.0;
+    window.command_key(Key::Num9);
+    window.run();
+    window.click(en::THIS_FIGURE.study);
+    window.wait(|window| {
+        let this = &window.state().numerics.this_figure;
+        this.study().is_some() && !this.is_busy()
+    });
+    let figure = window.state().model.desk.shown.figure().clone();
+    let study = window.state().numerics.this_figure.study().cloned().expect("examined");
+    let mut others = study.ways.iter().enumerate().filter(|(k, _)| ![study.yours, study.cheapest].contains(k));
+    let (_, way) = others.next().expect("several ways");
+    let set = this_figure::set(Lang::En, &figure.scene, &study, way);
+    window.click(&format!("{} {set}", this_figure::mark(way)));
+    window.wait(|window| window.harness.query_by_label(en::THIS_FIGURE.divider).is_some());
+    window.click(en::THIS_FIGURE.use_these);
+    let mut expected = figure.clone();
+    camera_lab::numerics::this_figure::apply(&mut expected, &study.changes(way));
+    assert_ne!(expected.style, figure.style);
+    assert_eq!(window.state().model.desk.shown.figure().style, expected.style);
+    assert!(window.harness.query_by_label(en::THIS_FIGURE.old).is_some(), "the results are of another figure now");
+    window.command_key(Key::Z);
+    window.run();
+    assert_eq!(window.state().model.desk.shown.figure().style, figure.style);
+    assert!(window.harness.query_by_label(en::THIS_FIGURE.old).is_none());
 }

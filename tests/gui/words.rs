@@ -3,7 +3,9 @@
 /// English.
 pub(crate) mod en {
     use camera_lab_words::learn::{exercise_window, lessons};
-    use camera_lab_words::why::{conventions, dialects, explain, explain_point, homogeneous, numerics, order, stages};
+    use camera_lab_words::why::{
+        conventions, dialects, explain, explain_point, homogeneous, numerics, order, stages, this_figure,
+    };
     use camera_lab_words::window::{canvas, coach, compare, gallery, labels, scenes};
     use camera_lab_words::{Lang, families, window};
 
@@ -24,6 +26,7 @@ pub(crate) mod en {
     pub(crate) const ORDER: &order::Texts = order::texts(Lang::En);
     pub(crate) const SCENES: &scenes::Texts = scenes::texts(Lang::En);
     pub(crate) const STAGES: &stages::Texts = stages::texts(Lang::En);
+    pub(crate) const THIS_FIGURE: &this_figure::Texts = this_figure::texts(Lang::En);
     pub(crate) const WINDOW: &window::Texts = window::texts(Lang::En);
 }
 

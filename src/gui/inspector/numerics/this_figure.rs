@@ -10,7 +10,9 @@ use super::{GLANCE, plot};
 use crate::appearance::Rgba;
 use crate::chart::Chart;
 use crate::figure::Figure;
-use crate::gui::kit::{Explained, choice, export_button, frames, keep_in_sight, linear_x, logarithmic_y, still};
+use crate::gui::kit::{
+    Explained, choice, color_of, export_button, frames, keep_in_sight, linear_x, logarithmic_y, still,
+};
 use crate::numerics::this_figure::{self, Effort, NoExactImage, Study, Subject, Way, apply};
 use crate::picture::Renderer;
 use crate::progress::Progress;
@@ -186,7 +188,10 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, state: &mut ThisFigure) {
         });
         return;
     };
-    let is_old = asked != subject(model);
+    let mut now = subject(model);
+    // In another language it's the same figure.
+    now.request.labels = asked.request.labels;
+    let is_old = asked != now;
     let height = ui.available_height();
     let table = TABLE.min(ui.available_width() * 0.5);
     let room = egui::vec2((ui.available_width() - table - 24.0).max(120.0), height);
@@ -198,7 +203,7 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, state: &mut ThisFigure) {
             let shown = pointed.or(state.kept).unwrap_or(study.cheapest);
             uses(ui, model, &study, shown, is_old);
             ScrollArea::both().id_salt("ways").auto_shrink(false).show(ui, |ui| {
-                if let Some(way) = ways(ui, lang, &asked.figure, &study, shown, &mut state.kept) {
+                if let Some(way) = ways(ui, lang, &asked.figure, &study, shown, state) {
                     pointed = Some(way);
                 }
                 keep_in_sight(ui);
@@ -297,9 +302,10 @@ fn ways(
     figure: &Figure,
     study: &Study,
     shown: usize,
-    kept: &mut Option<usize>,
+    state: &mut ThisFigure,
 ) -> Option<usize> {
     let t = words::texts(lang);
+    let by = state.by.or_else(|| study.telling());
     let mut order: Vec<usize> = (0..study.ways.len()).collect();
     order.sort_by(|&a, &b| study.ways[a].ms.median.total_cmp(&study.ways[b].ms.median));
     let mut pointed = None;
@@ -315,15 +321,22 @@ fn ways(
             ui.monospace(different);
             ui.monospace(memory);
             let mark = words::mark(way);
-            let yours = if k == study.yours { format!(" ({})", t.yours) } else { String::new() };
+            let named = [(study.yours, t.yours), (study.cheapest, t.cheapest)];
+            let names: String = named.iter().filter(|(of, _)| *of == k).map(|(_, name)| format!(" ({name})")).collect();
             let set = words::set(lang, &figure.scene, study, way);
-            let label = ui.selectable_label(k == shown, format!("{mark} {set}{yours}"));
-            if label.hovered() || label.has_focus() {
-                pointed = Some(k);
-            }
-            if label.clicked() {
-                *kept = if *kept == Some(k) { None } else { Some(k) };
-            }
+            ui.horizontal(|ui| {
+                let color = by.and_then(|choice| way.combination.get(choice)).copied();
+                ui.colored_label(color_of(color, ui.visuals().dark_mode), "●");
+                let text = RichText::new(format!("{mark} {set}{names}"));
+                let text = if names.is_empty() { text } else { text.strong() };
+                let label = ui.selectable_label(k == shown, text);
+                if label.hovered() || label.has_focus() {
+                    pointed = Some(k);
+                }
+                if label.clicked() {
+                    state.kept = if state.kept == Some(k) { None } else { Some(k) };
+                }
+            });
             ui.end_row();
         }
     });
