@@ -8,9 +8,8 @@ pub(super) mod normalizing;
 
 use glam::{DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines};
+use crate::appearance::{Dash, HiddenLines, Role};
 use crate::camera::Basis;
-use crate::drawing::Role;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
 use crate::pipeline::canonical::displayed_ndc;

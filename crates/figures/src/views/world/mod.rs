@@ -18,9 +18,8 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba, Texture};
+use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba, Role, Texture};
 use crate::camera::Projection;
-use crate::drawing::Role;
 use crate::figure::WorldPart;
 use crate::pipeline::{Frame, Scenes};
 use crate::sanitize;
