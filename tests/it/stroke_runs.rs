@@ -124,7 +124,7 @@ fn crossings() -> Scene {
         object.edges = Some(style(color, 2.5));
     }
     let mut line = |color, width, ends: [[f64; 3]; 2]| {
-        scene.lines.push(Line { points: ends.map(DVec3::from_array).to_vec(), style: style(color, width) });
+        scene.lines.push(Line::new(ends.map(DVec3::from_array).to_vec(), style(color, width)));
     };
     for k in -4..=4 {
         let k = f64::from(k);
