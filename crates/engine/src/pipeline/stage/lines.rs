@@ -20,11 +20,9 @@ use crate::pipeline::Target;
 use crate::pipeline::mesh::outline::outline;
 use crate::pipeline::mesh::{CHUNK, each};
 use crate::pipeline::scenes::Scenes;
-use crate::pipeline::space::Screen;
 use crate::pipeline::space::depths::InView;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::{ClipPoint, ViewPoint, WorldPoint};
-use crate::pipeline::space::{NOT_A_NUMBER, outcode};
+use crate::pipeline::space::{ClipPoint, NOT_A_NUMBER, Screen, ViewPoint, WorldPoint, outcode};
 use crate::scene::{Object, ObjectPaint};
 
 /// The range of distances at which lines, marks and texts of the scene are in the volume.
