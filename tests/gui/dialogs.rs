@@ -516,7 +516,8 @@ fn forms_keep_typed_and_chosen_values() {
     let shown = |window: &Window| (window.state().file_flow.dialog.clone(), window.state().page_address.clone());
     let (t, words) = (en::WINDOW, handouts::texts(Lang::En));
     let title = format!("{}, {}", t.title_name, Lang::En.name());
-    let typed = |field: &str, text: &str| -> Box<dyn Fn(&mut Window)> {
+    type Change = Box<dyn Fn(&mut Window)>;
+    let typed = |field: &str, text: &str| -> Change {
         let (field, text) = (field.to_owned(), text.to_owned());
         Box::new(move |window| {
             window.harness.get_by_role_and_label(Role::TextInput, &field).focus();
@@ -527,7 +528,7 @@ fn forms_keep_typed_and_chosen_values() {
     };
     let with_shift = Modifiers::COMMAND | Modifiers::SHIFT;
     let address = camera_lab_words::window::sharing::texts(Lang::En).address;
-    let forms: [(Key, Modifiers, Box<dyn Fn(&mut Window)>); 7] = [
+    let forms: [(Key, Modifiers, Change); 7] = [
         (Key::I, Modifiers::COMMAND, typed(&title, "A title")),
         (Key::E, Modifiers::COMMAND, Box::new(|window| window.click_in_dialog(t.export_crop))),
         (Key::P, Modifiers::COMMAND, Box::new(|window| window.click_in_dialog(words.answers))),

@@ -54,8 +54,6 @@ const CRATES: [(&str, &[Row]); 7] = [
         "crates/words/src",
         &[
             ("command_line", &["messages"]),
-            ("families", &[]),
-            ("file_names", &["window"]),
             ("handout", &["learn", "pictures", "why"]),
             ("learn", &["messages", "why", "window"]),
             ("messages", &["window"]),

@@ -7,9 +7,8 @@ use super::carried::Carried;
 use super::shipped::shipped_file;
 use super::{FileError, disk, is_network, read_at_most};
 use crate::limits::MAX_SCENE_BYTES;
-use crate::sanitize;
 use crate::scene::{NamedBy, ReadError, ReadProblem, Wanted};
-use crate::share;
+use crate::{sanitize, share};
 
 /// The files that a figure may name, more from one to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]

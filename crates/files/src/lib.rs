@@ -1,7 +1,6 @@
 //! The file system, for both shells: opens figures, and saves without losing data. [`share`] packs figures into links.
 
 mod carried;
-pub mod disk;
 mod file_access;
 mod file_change;
 mod lesson_files;
@@ -19,6 +18,25 @@ extern crate self as camera_lab_files;
 mod testing;
 mod travel;
 mod windows_names;
+
+/// The one door to stored and chosen files: the file system of the machine, or, in a page of a browser, the files given
+/// to the page and those it stores.
+pub mod disk {
+    #[cfg(any(test, target_arch = "wasm32"))]
+    pub mod page;
+    #[cfg(not(target_arch = "wasm32"))]
+    mod system;
+
+    #[cfg(target_arch = "wasm32")]
+    pub use page::{
+        Lock, canonical, create_folder, exists, is_read_only, is_whole, lock, may_exist, read_at_most, remove,
+        remove_left_over, rename, save, try_lock, write, written,
+    };
+    #[cfg(not(target_arch = "wasm32"))]
+    pub use system::{
+        Lock, canonical, create_folder, exists, is_whole, lock, may_exist, remove, rename, try_lock, write, written,
+    };
+}
 
 use std::borrow::Cow;
 #[cfg(not(target_arch = "wasm32"))]

@@ -25,12 +25,11 @@ pub(crate) fn in_time<T: Send + 'static>(path: &Path, work: impl FnOnce(&Path) -
 mod threads {
     use std::cell::Cell;
     use std::collections::BTreeSet;
-    use std::io;
     use std::path::{Path, PathBuf};
     use std::sync::mpsc::{TryRecvError, channel};
     use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
-    use std::thread;
     use std::time::Duration;
+    use std::{io, thread};
 
     /// Called before any work with a file.
     static BEFORE: OnceLock<fn(&Path)> = OnceLock::new();

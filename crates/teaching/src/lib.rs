@@ -11,5 +11,33 @@ use camera_lab_figures::{chart, explain, figure, formula, inspect, picture, view
 
 pub mod clock;
 pub mod exercises;
-pub mod lessons;
 pub mod numerics;
+
+/// Lessons: figures one after the other, each with a text, a question or something to do. A lesson is a file, and each
+/// of its steps is a whole figure.
+pub mod lessons {
+    mod condition;
+    mod edit;
+    mod items;
+    mod leads;
+    mod lesson;
+    mod numbers_in_texts;
+    mod passage;
+    mod place;
+    mod read;
+    mod record;
+    mod shipped;
+    mod task_text;
+
+    pub use condition::{Condition, Goal, Range, Seen, Subject, objects_named};
+    pub use edit::{Edit, LessonText, StepText, Words, edited, reworded, text_of_step, words_in_file};
+    pub use leads::{Way, exercises_of, families_of, in_order_of_lessons, lesson_of};
+    pub use lesson::{Lesson, Link, OpenLesson, Question, See, Step, Task};
+    pub use numbers_in_texts::{filled, numbers_of, with_sentence};
+    pub use passage::Passage;
+    pub use place::{Part, place};
+    pub use read::{parse, parse_bytes};
+    pub use record::{Draft, with_step};
+    pub use shipped::{ShippedLesson, shipped};
+    pub use task_text::{ChoiceText, ConditionKind, ConditionText, TaskKind, TaskText};
+}

@@ -25,7 +25,7 @@ mod surface;
 
 use std::ops::Range;
 
-use crate::appearance::{DepthFormat, LineStyle, MarkShape, Rgba, Samples};
+use crate::appearance::{DepthFormat, LineStyle, MarkShape, Rgba, Role, Samples};
 pub use shadow::{BlockedLight, Rays, Shadow, ShadowMap};
 pub use surface::{Base, Lighting, PixelLight, Surface, SurfaceLight, ViewLight};
 
@@ -74,33 +74,6 @@ impl Drawing {
             labels: Vec::new(),
         }
     }
-}
-
-/// The part that a text or a line plays in a picture. The layout of texts depends on it, never on colours and names,
-/// which authors choose. Texts of the parts before [`Content`](Self::Content) choose their places in this order.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Role {
-    /// C.
-    Center,
-    /// PF.
-    FocalPoint,
-    /// An axis: the first, the second or the third.
-    Axis(u8),
-    /// VUP.
-    ViewUp,
-    /// The view window.
-    Window,
-    /// The far face of the view volume.
-    FarFace,
-    /// DOP.
-    Direction,
-    /// Something of the scene, or about it.
-    #[default]
-    Content,
-    /// A text that stands beside bodies, not in front of them.
-    Aside,
-    /// A line that texts may cover: the ground grid.
-    Ground,
 }
 
 /// A set of polylines that look the same and play the same part.

@@ -1,5 +1,4 @@
-use super::ExpressionProblem as E;
-use super::*;
+use super::{ExpressionProblem as E, *};
 
 fn number(text: &str) -> Result<f64, E> {
     evaluate(text, Dimension::Number).map_err(|error| error.problem)

@@ -201,8 +201,7 @@ mod tests {
 
     use super::*;
     use crate::drawing::{Anchor, Label};
-    use crate::raster::DepthBuffer;
-    use crate::raster::text;
+    use crate::raster::{DepthBuffer, text};
 
     fn wild() -> impl Strategy<Value = f32> {
         prop_oneof![

@@ -25,8 +25,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use crate::appearance::{LightShare, LineStyle, MarkShape, Rgba, Sampler, Texture};
-use crate::drawing::Role;
+use crate::appearance::{LightShare, LineStyle, MarkShape, Rgba, Role, Sampler, Texture};
 use crate::geometry::Aabb;
 pub use build::{build, build_with};
 pub use error::{SceneError, chain_text};

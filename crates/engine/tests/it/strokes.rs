@@ -1,7 +1,7 @@
 //! Strokes and marks, painted slowly: for each pixel, the distance to every piece of every stroke. The fast way gives the
 //! same picture, but for the rounding of each layer.
 
-#![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small numbers, and bytes of random ones")]
+#![expect(clippy::cast_possible_truncation, reason = "small numbers, and bytes of random ones")]
 
 use std::f64::consts::SQRT_2;
 

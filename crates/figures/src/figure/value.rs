@@ -7,8 +7,7 @@ use super::Localized;
 use super::error::Allowed;
 use crate::appearance::{Rgba, Samples};
 use crate::expression::{self, Dimension, ExpressionError};
-use crate::numbers;
-use crate::sanitize;
+use crate::{numbers, sanitize};
 
 /// The values of a key.
 pub struct Values<V> {

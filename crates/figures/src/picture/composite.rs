@@ -322,8 +322,7 @@ mod tests {
     use crate::camera::Camera;
     use crate::figure::Figure;
     use crate::scene::Scene;
-    use crate::views::unlabelled;
-    use crate::views::{SharedScene, View};
+    use crate::views::{SharedScene, View, unlabelled};
 
     fn three(arrangement: Arrangement, sheet: Size) -> [Size; 3] {
         sizes_of(3, arrangement, sheet).unwrap().try_into().unwrap()

@@ -275,8 +275,7 @@ mod tests {
     use crate::figure::{Observer, ShadowReveal};
     use crate::pipeline::{Output, OverBudget, Reason, Stage};
     use crate::scene::{Scene, no_files};
-    use crate::views::unlabelled;
-    use crate::views::{Finish, SharedScene, Shot, Size};
+    use crate::views::{Finish, SharedScene, Shot, Size, unlabelled};
 
     /// Three boxes that intersect, with some glass. A BSP tree splits them into more than fifty pieces.
     pub(super) fn request(view: View, visibility: &str) -> Request {

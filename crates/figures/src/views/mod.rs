@@ -71,15 +71,12 @@ pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_firs
 pub use compared::{Side, overlay};
 pub use image::depth;
 pub use image::light_view::{ShadowAt, shadows_at};
-pub use interact::handles;
 pub use interact::hits::camera_at;
 pub use interact::hover::{
     Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, Projector, ShadowTruth, TransformGizmo, Transforming,
     TriangleOverlay,
 };
-pub use interact::named_points;
-pub use interact::pick;
-pub use interact::transform_gizmo;
+pub use interact::{handles, named_points, pick, transform_gizmo};
 pub use observer::ObserverOf;
 use observer::Viewpoint;
 pub use other_camera::OtherCamera;

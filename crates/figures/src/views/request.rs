@@ -270,8 +270,7 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
     use super::*;
     use crate::scene::PointMark;
-    use crate::views::unlabelled;
-    use crate::views::{Handle, TransformGizmo, Transforming};
+    use crate::views::{Handle, TransformGizmo, Transforming, unlabelled};
     use glam::{DVec2, DVec3};
 
     fn request() -> Request {

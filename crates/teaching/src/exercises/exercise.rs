@@ -6,13 +6,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::Free;
 use super::follows::{Follows, Holds};
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
-use super::textbook;
 use super::value::Table;
 use super::worked::{Worked, worked};
+use super::{Free, textbook};
 use crate::camera::{Camera, ParameterKey, Parameters};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::nature::Nature;

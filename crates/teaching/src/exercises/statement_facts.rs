@@ -6,7 +6,8 @@ use super::Free;
 use super::exercise::{Exercise, Fact};
 use super::subject::Subject;
 use crate::camera::{ImageSize, Parameters, Projection};
-use crate::figure::{NamedPoint, points::free_name};
+use crate::figure::NamedPoint;
+use crate::figure::points::free_name;
 
 /// Adds a point that the subject follows and the figure shows.
 pub(super) fn with_point(mut subject: Subject, point: DVec3) -> Subject {

@@ -2,14 +2,13 @@
 
 use serde_json::Value;
 
-use crate::exercises;
 use crate::figure::{Figure, Localized};
 use crate::inspect::Report;
 use crate::lessons::{self, Lesson, Question, Step, Task};
 use crate::numbers::significant;
 use crate::sanitize::escaped;
 pub use crate::told;
-use crate::told_mut;
+use crate::{exercises, told_mut};
 
 texts!("learn/lessons");
 

@@ -4,12 +4,11 @@ use std::path::Path;
 
 use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
-use crate::Grammar;
 use crate::export::format::PictureFormat;
 use crate::export::png::{Damage, PngError};
 use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
-use crate::sanitize;
 use crate::scene::ReadProblem;
+use crate::{Grammar, sanitize};
 use camera_lab_files::share::{self, Held, ShareError};
 use camera_lab_files::{FileError, LeftOut, size_words};
 

@@ -23,11 +23,10 @@ pub fn with_titles(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::with_titles;
-    use crate::Lang;
     use crate::pipeline::Stage;
     use crate::why::{pipeline, reasons};
-    use crate::window;
     use crate::window::{canvas, scenes};
+    use crate::{Lang, window};
 
     #[test]
     fn no_text_cites_notes_without_their_title() {

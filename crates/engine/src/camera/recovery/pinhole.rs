@@ -2,7 +2,8 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
-use crate::camera::recovery::{EXACT, Lines, RecoveryError, SLACK, Unknown, solve::Recovery};
+use crate::camera::recovery::solve::Recovery;
+use crate::camera::recovery::{EXACT, Lines, RecoveryError, SLACK, Unknown};
 use crate::camera::{Parameters, Projection};
 
 /// P = K \[R | t\], factored.

@@ -1,11 +1,10 @@
 //! The reading of a matrix of another program. Every candidate is tried, refused by the numbers or ranked by evidence.
 
 use crate::camera::recovery::evidence::{Weight, is_rigid, is_rotation, is_scaled};
-use crate::camera::recovery::refusal;
 use crate::camera::recovery::text::{GivenLens, Word};
 use crate::camera::recovery::{
     Axes, MatrixEntries, MatrixKind, NdcRange, Order, Pasted, Reading, Reason, Recovered, Recovery, RecoveryError,
-    Stated, Unknown, pinhole, recover,
+    Stated, Unknown, pinhole, recover, refusal,
 };
 use crate::camera::{Camera, ImageSize, Parameters, Projection};
 

@@ -13,9 +13,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::faces::{Crossing, CulledChunk, Faces, LANES, to_u32};
 use super::vertices::{OnImage, Vertices};
 use crate::pipeline::mesh::{CHUNK, each};
-use crate::pipeline::space::ViewPoint;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::{NOT_A_NUMBER, PlaneSet};
+use crate::pipeline::space::{NOT_A_NUMBER, PlaneSet, ViewPoint};
 
 /// The work on the faces of one object.
 #[derive(Clone, Copy, Debug)]

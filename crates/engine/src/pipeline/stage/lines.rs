@@ -14,17 +14,15 @@ use glam::DVec3;
 use super::clip::Clipper;
 use super::vertex::{clip_from_view, clip_from_world, divide, unsnapped, viewport};
 use super::vertices::{OnImage, Snap, Vertices, Wanted};
-use crate::appearance::{HiddenLines, LineStyle, Rgba, Shading, Style};
-use crate::drawing::{Label, Mark, Role, StrokeSet};
+use crate::appearance::{HiddenLines, LineStyle, Rgba, Role, Shading, Style};
+use crate::drawing::{Label, Mark, StrokeSet};
 use crate::pipeline::Target;
 use crate::pipeline::mesh::outline::outline;
 use crate::pipeline::mesh::{CHUNK, each};
 use crate::pipeline::scenes::Scenes;
-use crate::pipeline::space::Screen;
 use crate::pipeline::space::depths::InView;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::{ClipPoint, ViewPoint, WorldPoint};
-use crate::pipeline::space::{NOT_A_NUMBER, outcode};
+use crate::pipeline::space::{ClipPoint, NOT_A_NUMBER, Screen, ViewPoint, WorldPoint, outcode};
 use crate::scene::{Object, ObjectPaint};
 
 /// The range of distances at which lines, marks and texts of the scene are in the volume.

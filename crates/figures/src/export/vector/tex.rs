@@ -5,8 +5,7 @@ use std::sync::Arc;
 use super::{Item, Page, PageText, number};
 use crate::appearance::Rgba;
 use crate::drawing::Anchor;
-use crate::formula;
-use crate::text;
+use crate::{formula, text};
 
 /// The LaTeX of a page, a `picture` for `\input`. Everything except texts is in the PDF `art`, a name without its
 /// extension. The document needs the packages graphicx and color (or xcolor). Compiled alone, it's a document of one

@@ -5,9 +5,8 @@ mod vary;
 
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-use super::Figure;
-use super::read;
 use super::write::{document, to_toml};
+use super::{Figure, read};
 
 pub use difference::{Difference, difference};
 pub(super) use vary::value_of;

@@ -18,8 +18,7 @@ use toml_edit::{ArrayOfTables, InlineTable, Item, Table, Value};
 
 use super::error::Allowed;
 use super::read::{Fault, Section, at_most};
-use super::value::quoted;
-use super::value::{PAIR, SWITCH, Values};
+use super::value::{PAIR, SWITCH, Values, quoted};
 use super::words::{self, Words};
 pub(super) use camera::{is_way_of_the_angle, remove_rivals};
 pub(super) use comparison::checked;

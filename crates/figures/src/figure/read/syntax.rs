@@ -3,9 +3,8 @@
 use toml_edit::TomlError;
 
 use super::{line_of, snippet};
-use crate::expression;
 use crate::figure::error::{FigureError, Problem};
-use crate::sanitize;
+use crate::{expression, sanitize};
 
 /// The parser's error in our words.
 pub(super) fn explain(text: &str, error: &TomlError) -> FigureError {

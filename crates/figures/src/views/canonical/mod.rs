@@ -8,9 +8,8 @@ pub(super) mod normalizing;
 
 use glam::{DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines};
+use crate::appearance::{Dash, HiddenLines, Role};
 use crate::camera::Basis;
-use crate::drawing::Role;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
 use crate::pipeline::canonical::displayed_ndc;
@@ -24,12 +23,10 @@ use super::timed_pipeline::TimedPipeline;
 use super::{Labels, Palette, Request};
 use crate::views::canonical::canonical_box::CanonicalBox;
 use crate::views::image::light_view;
-use crate::views::reveal::revealed_scene;
-use crate::views::reveal::{operation_path, probe, triangle_overlay};
-use crate::views::words::author_labels;
-use crate::views::words::label_layout;
+use crate::views::reveal::{operation_path, probe, revealed_scene, triangle_overlay};
 use crate::views::words::label_layout::{Author, Rules};
 use crate::views::words::legend::LegendRow;
+use crate::views::words::{author_labels, label_layout};
 use crate::views::world::gizmos;
 use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE};
 

@@ -23,11 +23,10 @@ use super::timed_pipeline::TimedPipeline;
 use super::{Palette, Request};
 use crate::views::image::depth::Greys;
 use crate::views::reveal::{operation_path, probe, revealed_scene, triangle_overlay};
-use crate::views::words::author_labels;
-use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
 use crate::views::words::label_obstacles::Box2;
 use crate::views::words::legend::{Legend, LegendRow, LegendText};
+use crate::views::words::{author_labels, label_layout};
 use crate::views::world::gizmos::AnnotationBuilder;
 
 /// The camera and the pixels that its window fills.
@@ -72,14 +71,10 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
 type Layer = fn(&mut Image<'_>);
 
 /// The layers over the scene and its gear, in their visible order. The legend has the rows of those before it.
-const LAYERS: [Layer; 12] = [
+const LAYERS: [Layer; 8] = [
     |image| image.add_divided_first(),
-    |image| image.remove_texts_of_bare(),
     |image| image.paint_first_triangles(),
-    |image| image.report_greys(),
-    |image| image.add_rows(),
-    |image| offscreen_arrows::in_image(&mut image.drawn.drawing, image.request, image.palette),
-    |image| image.add_vanishing(),
+    |image| image.explain(),
     |image| image.settle_texts(),
     |image| image.put_photograph_under(),
     |image| image.mount(),
@@ -143,6 +138,10 @@ impl<'a> Image<'a> {
         for drawing in std::iter::once(&mut drawn.drawing).chain(&mut drawn.before) {
             drawing.depth_format = style.depth_format;
         }
+        if request.finish.bare {
+            // The drawing below has the texts of the scene itself.
+            drawn.drawing.labels.clear();
+        }
         let (rows, has_marks) = (revealed.rows, has_marks.get());
         Self {
             request,
@@ -178,13 +177,6 @@ impl<'a> Image<'a> {
         add(&mut self.drawn.drawing, more);
     }
 
-    /// The drawing below a bare one has the texts of the scene itself.
-    fn remove_texts_of_bare(&mut self) {
-        if self.request.finish.bare {
-            self.drawn.drawing.labels.clear();
-        }
-    }
-
     fn paint_first_triangles(&mut self) {
         if let Some(share) = self.request.shot.show.painted {
             let [count, all] = keep_first_triangles(&mut self.drawn.drawing, share);
@@ -193,21 +185,18 @@ impl<'a> Image<'a> {
         }
     }
 
-    fn report_greys(&mut self) {
+    /// Marks of what the picture shows besides the scene, and their rows in the legend.
+    fn explain(&mut self) {
+        let (request, palette, drawn) = (self.request, self.palette, &mut self.drawn);
         if let Some(greys) = self.greys {
-            Greys::report(&mut self.drawn, self.has_marks);
-            self.rows.extend(greys.legend(self.request, self.linear, self.palette));
+            Greys::report(drawn, self.has_marks);
+            self.rows.extend(greys.legend(request, self.linear, palette));
         }
-    }
-
-    fn add_rows(&mut self) {
-        self.rows.extend(light_view::rows(self.request, self.palette));
-        self.rows.extend(revealed_scene::drawn_rows(&self.drawn, self.request, self.palette));
-    }
-
-    fn add_vanishing(&mut self) {
-        if self.request.shot.look.reveal.vanishing {
-            self.rows.extend(vanishing::in_image(&mut self.drawn.drawing, self.request, self.palette));
+        self.rows.extend(light_view::rows(request, palette));
+        self.rows.extend(revealed_scene::drawn_rows(drawn, request, palette));
+        offscreen_arrows::in_image(&mut drawn.drawing, request, palette);
+        if request.shot.look.reveal.vanishing {
+            self.rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
         }
     }
 

@@ -187,8 +187,7 @@ mod tests {
     use super::*;
     use crate::camera::Camera;
     use crate::figure::Figure;
-    use crate::views::unlabelled;
-    use crate::views::{SharedScene, Size, View};
+    use crate::views::{SharedScene, Size, View, unlabelled};
 
     const FRONT: Observer =
         Observer { target: DVec3::ZERO, distance: 40.0, azimuth: 0.0, elevation: 0.0, roll: 0.0, parallel: true };

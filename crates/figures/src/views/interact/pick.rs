@@ -175,8 +175,7 @@ mod tests {
     use crate::pipeline::canonical::displayed_ndc;
     use crate::views::interact::hits::first_hit;
     use crate::views::observer::Viewpoint;
-    use crate::views::unlabelled;
-    use crate::views::{SharedScene, Size};
+    use crate::views::{SharedScene, Size, unlabelled};
 
     /// Calls `test` with a picture of the cube \[−1, 1\]³, which a camera at (3, 4, 5) sees whole.
     fn with_cube(parameters: Parameters, test: impl Fn(&Request)) {

@@ -186,10 +186,8 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
     use super::*;
     use crate::camera::{Camera, Parameters};
-    use crate::figure::Figure;
-    use crate::figure::Observer;
-    use crate::views::unlabelled;
-    use crate::views::{Hover, SharedScene, Size, View};
+    use crate::figure::{Figure, Observer};
+    use crate::views::{Hover, SharedScene, Size, View, unlabelled};
 
     const OBSERVER: Observer =
         Observer { target: DVec3::ZERO, distance: 30.0, azimuth: 40.0, elevation: 25.0, roll: 0.0, parallel: false };

@@ -8,8 +8,8 @@
 
 use glam::DVec2;
 
-use crate::appearance::{HiddenLines, LineStyle, Rgba};
-use crate::drawing::{Anchor, Drawing, Label, Role, StrokeSet, single};
+use crate::appearance::{HiddenLines, LineStyle, Rgba, Role};
+use crate::drawing::{Anchor, Drawing, Label, StrokeSet, single};
 use crate::figure::labels::{set_text, symbols};
 use crate::figure::{LabelChange, Labels, Letters, View};
 use crate::text::{measure, x_height};

@@ -2,7 +2,8 @@
 
 use glam::DVec2;
 
-use crate::drawing::{Drawing, Role, StrokeSet, single};
+use crate::appearance::Role;
+use crate::drawing::{Drawing, StrokeSet, single};
 
 /// A rectangle in pixels: its middle and half its size.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,9 +3,8 @@
 
 use glam::{DQuat, DVec2, DVec3};
 
-use crate::appearance::{Dash, MarkShape, Rgba};
+use crate::appearance::{Dash, MarkShape, Rgba, Role};
 use crate::camera::{Camera, Operation};
-use crate::drawing::Role;
 use crate::geometry::Ray;
 
 use super::camera_gizmo::GizmoSizes;

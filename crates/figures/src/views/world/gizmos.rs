@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style};
-use crate::drawing::{Role, single};
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Role, Shading, Style};
+use crate::drawing::single;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
 use super::volume::DrawnVolume;

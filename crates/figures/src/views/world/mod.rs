@@ -18,9 +18,8 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba, Texture};
+use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba, Role, Texture};
 use crate::camera::Projection;
-use crate::drawing::Role;
 use crate::figure::WorldPart;
 use crate::pipeline::{Frame, Scenes};
 use crate::sanitize;
@@ -34,9 +33,8 @@ use crate::views::interact::{handles, hits, transform_gizmo};
 use crate::views::reveal::revealed_scene::PipelineReveal;
 use crate::views::reveal::{probe, revealed_scene, triangle_overlay};
 use crate::views::screen::Screen;
-use crate::views::words::author_labels;
-use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
+use crate::views::words::{author_labels, label_layout};
 use crate::views::world::camera_gizmo::GizmoSizes;
 use crate::views::world::framing::Content;
 use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE, TYPE};
@@ -53,8 +51,8 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     };
     let mut world = World::new(request, palette, content, &screen, on_window);
     let (scene, style) = gizmos::wired(std::mem::take(&mut world.revealed.scene), style);
-    let layers: &[Layer] = if request.shot.look.world.section { &LAYERS_OF_SECTION } else { &LAYERS };
-    layers.iter().for_each(|add| add(&mut world));
+    let layers = if request.shot.look.world.section { LAYERS_OF_SECTION } else { LAYERS };
+    layers.concat().into_iter().for_each(|add| add(&mut world));
     let World { mut revealed, builder, .. } = world;
     let lights = light_view::lights(request, &scene);
     let scenes = Scenes::new(&scene, &builder.gear)
@@ -80,44 +78,51 @@ type Layer = fn(&mut World<'_>);
 
 /// The layers of the world. Of two at the same depth, the later one is over the earlier, and of two texts of the same
 /// role and size, the earlier one chooses its place first.
-const LAYERS: [Layer; 23] = [
-    |w| w.ground(),
-    |w| w.volume(),
-    |w| w.window(),
-    |w| w.camera(),
-    |w| w.aim(),
-    |w| w.planes(),
-    |w| w.axes(),
-    |w| w.drop_lines(),
-    |w| cameras::in_world(&mut w.builder, w.request, w.palette, &w.content.others),
-    // The names of all layers before.
-    |w| w.unnamed(),
-    |w| w.speck(),
-    |w| dimensions::in_world(&mut w.builder, w.request, w.palette, &w.content.volume, w.gear),
-    |w| components::in_world(&mut w.builder, w.request, w.palette, &w.content.volume, w.gear),
-    |w| object_parts::in_world(&mut w.builder, w.request, w.palette),
-    |w| w.hot_handle(),
-    |w| w.ghosts(),
-    |w| transform_preview::in_world(&mut w.builder, w.request, w.palette),
-    |w| w.revealed.mark(&mut w.builder, w.palette),
-    |w| probe::in_world(&mut w.builder, w.request, w.palette, &w.content.volume),
-    |w| vanishing::in_world(&mut w.builder, w.request, w.palette),
-    |w| triangle_overlay::in_world(&mut w.builder, w.request, w.palette),
-    |w| transform_gizmo::in_world(&mut w.builder, w.request, w.palette),
-    |w| light_view::in_world(&mut w.builder, w.request, w.palette),
+const LAYERS: [&[Layer]; 3] = [
+    &[
+        |w| w.ground(),
+        |w| w.volume(),
+        |w| w.window(),
+        |w| w.camera(),
+        |w| w.aim(),
+        |w| w.planes(),
+        |w| w.axes(),
+        |w| w.drop_lines(),
+        |w| cameras::in_world(&mut w.builder, w.request, w.palette, &w.content.others),
+        |w| w.unnamed(),
+        |w| w.speck(),
+        |w| dimensions::in_world(&mut w.builder, w.request, w.palette, &w.content.volume, w.gear),
+        |w| components::in_world(&mut w.builder, w.request, w.palette, &w.content.volume, w.gear),
+        |w| object_parts::in_world(&mut w.builder, w.request, w.palette),
+    ],
+    &CHANGES,
+    &[
+        |w| probe::in_world(&mut w.builder, w.request, w.palette, &w.content.volume),
+        |w| vanishing::in_world(&mut w.builder, w.request, w.palette),
+        |w| triangle_overlay::in_world(&mut w.builder, w.request, w.palette),
+        |w| transform_gizmo::in_world(&mut w.builder, w.request, w.palette),
+        |w| light_view::in_world(&mut w.builder, w.request, w.palette),
+    ],
 ];
 
 /// Those of the section along **u**, as lines alone, without the scene.
-const LAYERS_OF_SECTION: [Layer; 9] = [
-    |w| section::draw(&mut w.builder, w.request, w.palette, &w.content),
-    |w| w.camera(),
-    |w| w.aim(),
-    |w| w.unnamed(),
+const LAYERS_OF_SECTION: [&[Layer]; 3] = [
+    &[
+        |w| section::draw(&mut w.builder, w.request, w.palette, &w.content),
+        |w| w.camera(),
+        |w| w.aim(),
+        |w| w.unnamed(),
+    ],
+    &CHANGES,
+    &[|w| light_view::in_world(&mut w.builder, w.request, w.palette)],
+];
+
+/// What a change shows of itself, before it's made and after it.
+const CHANGES: [Layer; 4] = [
     |w| w.hot_handle(),
-    |w| w.ghosts(),
+    |w| ghost::in_world(&mut w.builder, w.request, w.palette, w.gear),
     |w| transform_preview::in_world(&mut w.builder, w.request, w.palette),
     |w| w.revealed.mark(&mut w.builder, w.palette),
-    |w| light_view::in_world(&mut w.builder, w.request, w.palette),
 ];
 
 /// Greatest number of faces to test for hiding a corner.
@@ -433,11 +438,6 @@ impl<'a> World<'a> {
             self.builder.line(vec![p, foot], self.palette.soft, 1.2, Dash::Dotted);
             self.builder.mark(foot, MarkShape::Ring, 3.0, self.palette.soft);
         }
-    }
-
-    /// The cameras before an operation and of an answer.
-    fn ghosts(&mut self) {
-        ghost::in_world(&mut self.builder, self.request, self.palette, self.gear);
     }
 
     /// A ring around the handle under the pointer.

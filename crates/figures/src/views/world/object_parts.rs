@@ -116,8 +116,7 @@ mod tests {
     use crate::figure::{Figure, Observer};
     use crate::scene::transform::Trs;
     use crate::views::timed_pipeline::TimedPipeline;
-    use crate::views::unlabelled;
-    use crate::views::{Hover, SharedScene, Size, View, frame};
+    use crate::views::{Hover, SharedScene, Size, View, frame, unlabelled};
 
     fn drawn(measured: Vec<Measured>, object: ObjectTransform) -> Drawing {
         let (figure, camera) = (Figure::default(), Camera::new(&Parameters::default()).unwrap());

@@ -2,9 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::appearance::{Dash, MarkShape};
+use crate::appearance::{Dash, MarkShape, Role};
 use crate::camera::{Camera, Projection};
-use crate::drawing::Role;
 use crate::figure::Observer;
 use crate::geometry::Aabb;
 use crate::sanitize;

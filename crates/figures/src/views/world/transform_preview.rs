@@ -104,8 +104,7 @@ mod tests {
     use crate::drawing::Drawing;
     use crate::figure::{Figure, Observer};
     use crate::views::timed_pipeline::TimedPipeline;
-    use crate::views::unlabelled;
-    use crate::views::{SharedScene, Size, View, frame};
+    use crate::views::{SharedScene, Size, View, frame, unlabelled};
 
     fn drawn(moved: Vec<TransformPreview>) -> Drawing {
         drawn_in(&SharedScene::default(), moved)

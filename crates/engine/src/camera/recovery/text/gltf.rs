@@ -6,8 +6,7 @@ use glam::{DMat4, DQuat, DVec3};
 use serde_json::Value;
 
 use crate::camera::recovery::entries::MatrixEntries;
-use crate::camera::recovery::text::json::{list, number};
-use crate::camera::recovery::text::{GivenLens, MatrixTextError, Pasted};
+use crate::camera::recovery::text::{GivenLens, MatrixTextError, Pasted, list, number};
 use crate::camera::recovery::{Axes, MatrixKind, Order};
 
 /// The most steps from the roots of a scene. More are a cycle, or made to take all the time there is.

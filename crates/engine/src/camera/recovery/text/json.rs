@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use crate::camera::recovery::entries::{MatrixEntries, Written};
 use crate::camera::recovery::text::numbers::Segment;
-use crate::camera::recovery::text::{GivenLens, MatrixTextError, Pasted, gltf, image_size, of_segments};
+use crate::camera::recovery::text::{GivenLens, MatrixTextError, Pasted, gltf, image_size, list, number, of_segments};
 use crate::camera::recovery::{Axes, MatrixKind, Order};
 
 /// The cameras of a JSON text.
@@ -152,21 +152,4 @@ fn flatten(name: &str, value: &Value, into: &mut Vec<Segment>) {
         Value::Number(_) => into.extend(number(value).map(|number| segment(vec![number], None))),
         _ => {}
     }
-}
-
-/// A number of JSON; `null` is the NaN of JavaScript.
-pub(crate) fn number(value: &Value) -> Option<f64> {
-    if value.is_null() { Some(f64::NAN) } else { value.as_f64() }
-}
-
-/// A list of numbers, of one level or more.
-pub(crate) fn list(value: &Value) -> Option<Vec<f64>> {
-    let mut numbers = Vec::new();
-    for item in value.as_array()? {
-        match item {
-            Value::Array(_) => numbers.extend(list(item)?),
-            _ => numbers.push(number(item)?),
-        }
-    }
-    Some(numbers)
 }

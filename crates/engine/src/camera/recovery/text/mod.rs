@@ -324,3 +324,22 @@ fn side(value: f64) -> Option<u32> {
 fn of_quaternion([w, x, y, z]: [f64; 4], t: DVec3) -> DMat4 {
     DMat4::from_rotation_translation(glam::DQuat::from_xyzw(x, y, z, w).normalize(), t)
 }
+
+/// A number of JSON; `null` is the NaN of JavaScript.
+#[cfg(feature = "import")]
+fn number(value: &serde_json::Value) -> Option<f64> {
+    if value.is_null() { Some(f64::NAN) } else { value.as_f64() }
+}
+
+/// A list of numbers, of one level or more.
+#[cfg(feature = "import")]
+fn list(value: &serde_json::Value) -> Option<Vec<f64>> {
+    let mut numbers = Vec::new();
+    for item in value.as_array()? {
+        match item {
+            serde_json::Value::Array(_) => numbers.extend(list(item)?),
+            _ => numbers.push(number(item)?),
+        }
+    }
+    Some(numbers)
+}

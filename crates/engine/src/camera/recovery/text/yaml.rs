@@ -13,8 +13,10 @@ use serde_json::{Map, Value};
 
 use crate::camera::ImageSize;
 use crate::camera::recovery::entries::MatrixEntries;
-use crate::camera::recovery::text::json::{list, number, written};
-use crate::camera::recovery::text::{GivenLens, Pasted, VISION, image_size, is_intrinsics, of_rotation, rotation_of};
+use crate::camera::recovery::text::json::written;
+use crate::camera::recovery::text::{
+    GivenLens, Pasted, VISION, image_size, is_intrinsics, list, number, of_rotation, rotation_of,
+};
 use crate::camera::recovery::{Axes, MatrixKind, Order};
 
 /// The depth of nesting that is read. No camera needs more.
@@ -45,21 +47,15 @@ fn named(name: &str, mut cameras: Vec<Pasted>) -> Vec<Pasted> {
     cameras
 }
 
-/// The matrices that these programs write, by rows and in the axes of `OpenCV`: the key, the count of numbers, the
-/// kind.
-const MATRICES: [(&str, usize, MatrixKind); 12] = [
-    ("projection_matrix", 12, MatrixKind::Pinhole),
-    ("P", 12, MatrixKind::Pinhole),
-    ("p", 12, MatrixKind::Pinhole),
-    ("P0", 12, MatrixKind::Pinhole),
-    ("P1", 12, MatrixKind::Pinhole),
-    ("P2", 12, MatrixKind::Pinhole),
-    ("P3", 12, MatrixKind::Pinhole),
-    ("Pr", 12, MatrixKind::Pinhole),
-    ("T_BS", 16, MatrixKind::CameraToWorld),
-    ("T_cam_imu", 16, MatrixKind::View),
-    ("T_cn_cnm1", 16, MatrixKind::View),
-    ("T_imu_cam", 16, MatrixKind::CameraToWorld),
+/// The names of K \[R | t\], twelve numbers by rows in the axes of `OpenCV`.
+const PROJECTIONS: [&str; 8] = ["projection_matrix", "P", "p", "P0", "P1", "P2", "P3", "Pr"];
+
+/// The names of poses, sixteen numbers by rows in the same axes, and their kinds.
+const POSES: [(&str, MatrixKind); 4] = [
+    ("T_BS", MatrixKind::CameraToWorld),
+    ("T_cam_imu", MatrixKind::View),
+    ("T_cn_cnm1", MatrixKind::View),
+    ("T_imu_cam", MatrixKind::CameraToWorld),
 ];
 
 /// The cameras of a map: the matrices of a projection, else K with a pose or alone.
@@ -70,13 +66,10 @@ fn of_map(map: &Value) -> Vec<Pasted> {
         let entries = MatrixEntries::new(numbers.into_iter().map(written).collect(), Some(in_line))?;
         Some(Pasted { image, ..Pasted::pose(name, entries, kind, Axes::OPENCV, (Order::Rows, word)) })
     };
-    let with = |count: usize| {
-        let rows = MATRICES.iter().filter(move |row| row.1 == count);
-        rows.filter_map(|&(key, count, kind)| Some((key, kind, matrix(map, &[key], count)?)))
-    };
+    let projections = PROJECTIONS.into_iter().filter_map(|key| Some((key, matrix(map, &[key], 12)?)));
     // A projection of zeros stands for no rectification.
-    let projections = with(12).filter(|(_, _, p)| p.iter().any(|x| *x != 0.0));
-    let mut found: Vec<Pasted> = projections.filter_map(|(key, kind, p)| camera(key, key, kind, p)).collect();
+    let projections = projections.filter(|(_, p)| p.iter().any(|x| *x != 0.0));
+    let mut found: Vec<Pasted> = projections.filter_map(|(key, p)| camera(key, key, MatrixKind::Pinhole, p)).collect();
     if let [only] = &mut found[..] {
         only.name.clear();
     }
@@ -86,10 +79,8 @@ fn of_map(map: &Value) -> Vec<Pasted> {
     if let Some(entries) = rigid(map).filter(|_| lens.is_some() || map.get("rvec").is_some()) {
         return vec![Pasted { lens, image, word: Some(VISION), ..Pasted::new("", entries) }];
     }
-    if lens.is_some()
-        && let Some((key, kind, numbers)) = with(16).next()
-        && let Some(pose) = camera("", key, kind, numbers)
-    {
+    let mut poses = POSES.into_iter().filter_map(|(key, kind)| camera("", key, kind, matrix(map, &[key], 16)?));
+    if let Some(pose) = poses.next().filter(|_| lens.is_some()) {
         return vec![Pasted { lens, ..pose }];
     }
     let alone = matrix(map, &INTRINSICS, 9).filter(|k| is_intrinsics(k));
