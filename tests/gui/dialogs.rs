@@ -503,7 +503,7 @@ fn a_code_without_an_address_asks_for_one_and_a_link_does_not() {
     window.harness.event(Event::Text("https://example.org/".to_owned()));
     window.run();
     assert!(!window.says(t.address_first));
-    assert_eq!(window.state().page_address, "https://example.org/");
+    assert_eq!(window.state().sharing.page_address, "https://example.org/");
     window.click(t.code);
     assert!(window.says(t.code));
 }

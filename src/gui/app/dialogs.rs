@@ -17,13 +17,13 @@ use crate::gui::export::export_dialog::{self, Choices};
 use crate::gui::gallery::{self, Chosen};
 use crate::gui::inspector::{coach, compare_dialog, scene};
 use crate::gui::kit::{CANCEL, Command, Explained, Pressed, TextField, buttons, complaint, text_field, theme, written};
-use crate::gui::learn::{handout, lesson};
+use crate::gui::learn::{Learn, handout, lesson};
 use crate::gui::platform::native::Wanted;
 use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
 use camera_lab_desk::desk::Reply;
-use camera_lab_desk::{Comparison, Intent, LineOrigin, Model, Source};
+use camera_lab_desk::{Comparison, Intent, LineOrigin, Message, Model, Source};
 use camera_lab_words::learn::{exercise_window, lessons};
 use camera_lab_words::window::{self, Texts, canvas, gallery as gallery_words, scenes, sharing};
 
@@ -46,7 +46,9 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let t = window::texts(state.model.settings.lang);
     match dialog {
         Dialog::Qr => {
-            qr::show(ctx, state, first);
+            if qr::show(ctx, &state.model, &state.learn, &mut state.sharing, first) {
+                state.file_flow.show(Dialog::Qr);
+            }
             return None;
         }
         Dialog::Compare(form) => {
@@ -116,7 +118,7 @@ const fn width(dialog: &Dialog) -> f32 {
 /// The content of a dialog. One that stays open goes back into `file_flow`.
 fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog, first: bool) -> Option<Command> {
     let ctx = &ui.ctx().clone();
-    if let Some(question) = Question::of(&dialog, t, state) {
+    if let Some(question) = Question::of(&dialog, t, &state.model, &state.learn, state.file_flow.refused.as_ref()) {
         match question.show(ui, t, first) {
             Pressed::Action(button) => answer(ctx, state, dialog, button),
             Pressed::Cancel => {}
@@ -152,8 +154,8 @@ fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog,
         Dialog::Help => help(ui, t, &state.model, first).then_some(Dialog::Help),
         Dialog::About => about(ui, t, first).then_some(Dialog::About),
         Dialog::Link => {
-            link_dialog::show(ui, t, state, first);
-            None
+            let State { model, learn, sharing, file_flow, .. } = &mut *state;
+            link_dialog::show(ui, t, model, learn, (sharing, file_flow.refused.as_ref()), first)
         }
         Dialog::Coach => coach::show(ui, t, &mut state.model, first).then_some(Dialog::Coach),
         Dialog::Search => return search::show(ui, state, first),
@@ -220,8 +222,8 @@ struct Question {
 
 impl Question {
     /// The question of a dialog, unless it has fields.
-    fn of(dialog: &Dialog, t: &'static Texts, state: &State) -> Option<Self> {
-        let lang = state.model.settings.lang;
+    fn of(dialog: &Dialog, t: &'static Texts, model: &Model, learn: &Learn, refused: Option<&Message>) -> Option<Self> {
+        let lang = model.settings.lang;
         let asked = |title: &str, text: String, buttons: Vec<&'static str>| Self {
             title: title.to_owned(),
             text,
@@ -232,14 +234,14 @@ impl Question {
         };
         Some(match dialog {
             Dialog::Unsaved => {
-                let text = format!("{} {}", t.unsaved_text, state.model.figure_name());
+                let text = format!("{} {}", t.unsaved_text, model.figure_name());
                 Self { default: 1, ..asked(t.unsaved_title, text, vec![t.dont_save, t.save_first]) }
             }
             Dialog::UnsavedText => {
                 let words = lessons::texts(lang);
                 let mut buttons = vec![t.dont_save];
-                buttons.extend(state.learn.has_good_text().then_some(words.save_copy));
-                let fault = state.file_flow.refused.as_ref().map(|why| why.text(lang));
+                buttons.extend(learn.has_good_text().then_some(words.save_copy));
+                let fault = refused.map(|why| why.text(lang));
                 Self { fault, ..asked(words.unsaved_text_title, words.unsaved_text.to_owned(), buttons) }
             }
             Dialog::Overwrite(purpose, path) => {
@@ -249,7 +251,7 @@ impl Question {
                 asked(t.overwrite_title, format!("{} {text}", names.join(", ")), vec![t.replace])
             }
             Dialog::Changed(Changed { theirs, comparison, .. }) => {
-                let name = state.model.desk.shown.path().map(|path| sanitize::path(path)).unwrap_or_default();
+                let name = model.desk.shown.path().map(|path| sanitize::path(path)).unwrap_or_default();
                 let offers = comparison.is_none() && theirs.is_some();
                 let buttons = offers.then_some(t.compare).into_iter().chain([t.replace, t.save_as]).collect();
                 let text = format!("{name} {}", t.changed_text);

@@ -125,7 +125,9 @@ impl App {
     fn notices(&mut self, ui: &mut egui::Ui) {
         self.recovery(ui);
         session_news::bar(ui, self.state.model.settings.lang, &mut self.state.file_flow.news);
-        status::changed_file(ui, &mut self.state);
+        if let Some(intent) = status::changed_file(ui, &self.state.model, &mut self.state.file_flow) {
+            begin(ui.ctx(), &mut self.state, intent);
+        }
         if let Some(command) = lesson::welcome(ui, &mut self.state.model, &mut self.state.learn) {
             self.perform(ui.ctx(), command);
         }

@@ -324,7 +324,8 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
             ui.label(t.nothing);
         }
         for (i, entry) in results.iter().enumerate() {
-            let row = row(ui, state, entry, i == chosen);
+            let enabled = !matches!(&entry.target, Target::Command(command) if !command.is_enabled(state));
+            let row = row(ui, &state.model, entry, enabled, i == chosen);
             if moved && i == chosen {
                 row.scroll_to_me(Some(Align::Center));
             }
@@ -352,15 +353,14 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
 }
 
 /// A result: its title, its kind, and the keys of a command.
-fn row(ui: &mut Ui, state: &State, entry: &Entry, chosen: bool) -> egui::Response {
+fn row(ui: &mut Ui, model: &Model, entry: &Entry, enabled: bool, chosen: bool) -> egui::Response {
     let keys = match &entry.target {
         Target::Command(command) => {
-            command.keys(&state.model).next().map(|keys| written(ui.ctx(), &keys, state.model.settings.lang))
+            command.keys(model).next().map(|keys| written(ui.ctx(), &keys, model.settings.lang))
         }
         _ => None,
     };
     let side = keys.map_or_else(|| entry.kind.to_owned(), |keys| format!("{}  {keys}", entry.kind));
-    let enabled = !matches!(&entry.target, Target::Command(command) if !command.is_enabled(state));
     let button = Button::selectable(chosen, theme::symbol(ui, &entry.title)).shortcut_text(side).truncate();
     let response =
         ui.with_layout(egui::Layout::top_down_justified(Align::LEFT), |ui| ui.add_enabled(enabled, button)).inner;

@@ -276,6 +276,11 @@ impl Dialog {
 }
 
 impl FileFlow {
+    /// Opens a dialog.
+    pub fn show(&mut self, dialog: Dialog) {
+        self.dialog = Some(dialog);
+    }
+
     /// Opens a file in the next frame, like a dropped one.
     pub fn give(&mut self, path: PathBuf) {
         self.given.push(path);

@@ -7,7 +7,6 @@ use eframe::egui;
 
 use crate::clock;
 use crate::figure::{Figure, update};
-use crate::gui::app::state::State;
 use crate::gui::kit::frames;
 use crate::progress::Progress;
 use camera_lab_desk::background::worker;
@@ -104,8 +103,8 @@ pub(super) struct Save {
 
 impl Save {
     /// The figure into this file.
-    pub(super) fn of(state: &State, path: PathBuf, agreed: Agreed) -> Self {
-        Self { path, agreed, with_files: false, for_errand: state.model.desk.errand().is_some() }
+    pub(super) fn of(model: &Model, path: PathBuf, agreed: Agreed) -> Self {
+        Self { path, agreed, with_files: false, for_errand: model.desk.errand().is_some() }
     }
 }
 

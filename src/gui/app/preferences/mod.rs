@@ -173,7 +173,7 @@ const KEYS: &[Key] = &[
         },
     },
     // Empty: not known.
-    key!("page_address", [page_address], |own| own.as_str(), text),
+    key!("page_address", [sharing.page_address], |own| own.as_str(), text),
     // Empty: none.
     Key {
         name: "exercise_folder",
@@ -447,7 +447,7 @@ mod tests {
         changed.model.settings.conventions =
             Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
         changed.gallery.remember(PathBuf::from("/lectures"));
-        changed.page_address = "https://example.org/lab/".to_owned();
+        changed.sharing.page_address = "https://example.org/lab/".to_owned();
         changed.learn.exercises.look_into(Some(PathBuf::from("/exercises")));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
         let (theme, times, format) = (Theme::Light, Some(3), PictureFormat::WebP);

@@ -34,7 +34,7 @@ pub(in crate::gui) fn offer(window: &Window, runner: &WebRunner) -> Result<(), J
     let of = runner.clone();
     let link = Closure::<dyn Fn() -> Result<JsValue, JsValue>>::new(move || {
         let Some(page) = of.app_mut::<Page>() else { return Ok(JsValue::NULL) };
-        let address = page.app.state.own_address.clone().unwrap_or_default();
+        let address = page.app.state.sharing.own_address.clone().unwrap_or_default();
         let link = share::link(&address, Held::Figure, &file_flow::text_as_shown(&page.app.state.model));
         link.map(JsValue::from).map_err(|error| js_sys::Error::new(&error.to_string()).into())
     });

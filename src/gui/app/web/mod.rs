@@ -170,7 +170,7 @@ impl Page {
         };
         let restore = file.is_none();
         let mut state = State::new(Start { figure, file, lang, allow_files: false, lesson: None, later: None })?;
-        state.own_address = own_address(&location);
+        state.sharing.own_address = own_address(&location);
         let width = window.inner_width().ok().and_then(|width| width.as_f64());
         if !is_framed(&window) && width.is_some_and(|width| width < f64::from(crate::gui::app::menu::PHONE)) {
             // The pictures need all the available space, until a panel is requested.

@@ -20,11 +20,10 @@ use crate::scene::edit::{self, Children};
 use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
 use camera_lab_desk::{Action, Draft, Message, Model, Selected};
-use camera_lab_words::Lang;
 use camera_lab_words::messages::faults;
 use camera_lab_words::why::notes;
-use camera_lab_words::window;
 use camera_lab_words::window::scenes::{self, Texts};
+use camera_lab_words::{Lang, window};
 
 /// A change requested by the tree or a button.
 enum Edit {
