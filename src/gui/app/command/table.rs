@@ -6,7 +6,7 @@ use super::{InBrowser, Menu, Row};
 use crate::appearance;
 use crate::figure::Explanation;
 use crate::gui::app::file_flow;
-use crate::gui::app::file_flow::questions::{Dialog, Purpose, TitleForm};
+use crate::gui::app::file_flow::questions::{Dialog, FileFlow, Purpose, TitleForm};
 use crate::gui::app::search::Search;
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::Subject;
@@ -124,7 +124,9 @@ pub const MENUS: &[Menu] = &[
                 s.family = std::mem::take(&mut s.family).or_last();
                 show_export(s);
             }),
-            row!(QrCode, ctrl_shift(Key::K), sharing::code, code_hint, |s, _| show_code(s)),
+            row!(QrCode, ctrl_shift(Key::K), sharing::code, code_hint, |s, _| {
+                show_code(&mut s.file_flow, !s.sharing.address().is_empty());
+            }),
         ]],
     },
     Menu {
@@ -459,10 +461,9 @@ fn show_lessons(state: &mut State) {
 }
 
 /// Shows the QR code of the link to the screen. Without the address of a page, asks for that first.
-fn show_code(state: &mut State) {
-    let has_address = !state.sharing.address().is_empty();
-    state.file_flow.show(if has_address { Dialog::Qr } else { Dialog::Link });
-    state.file_flow.refused = (!has_address).then_some(Message::AddressFirst);
+fn show_code(file_flow: &mut FileFlow, has_address: bool) {
+    file_flow.show(if has_address { Dialog::Qr } else { Dialog::Link });
+    file_flow.refused = (!has_address).then_some(Message::AddressFirst);
 }
 
 fn show_handout(state: &mut State, is_lesson: bool) {

@@ -77,7 +77,8 @@ pub(in crate::gui) fn show(
     ui.label(RichText::new(t.title_note).small().weak());
     let by_system = state.file_flow.native && !state.model.in_browser;
     let path = form.then.as_ref().and_then(|purpose| {
-        let mut path = form.path.clone().unwrap_or_else(|| proposal(state, purpose, form.title.clone()));
+        let mut path =
+            form.path.clone().unwrap_or_else(|| proposal(FileKind::of(state, purpose), t.lang, form.title.clone()));
         // Without a folder it would land anywhere, so the system's dialog asks.
         let has_folder = Path::new(&path).parent().is_some_and(|folder| !folder.as_os_str().is_empty());
         if by_system && form.path.is_none() && !has_folder {
@@ -124,10 +125,10 @@ pub(in crate::gui) fn show(
 }
 
 /// The file of a figure with this title.
-fn proposal(state: &State, purpose: &Purpose, title: Localized) -> String {
+fn proposal(kind: FileKind, lang: Lang, title: Localized) -> String {
     let title = written(title);
-    let title = title.as_ref().map(|title| told(state.model.settings.lang, title));
-    FileKind::of(state, purpose).with_name_of(title).proposal().display().to_string()
+    let title = title.as_ref().map(|title| told(lang, title));
+    kind.with_name_of(title).proposal().display().to_string()
 }
 
 fn accept(model: &mut Model, file_flow: &mut FileFlow, form: TitleForm) -> Option<Purpose> {
