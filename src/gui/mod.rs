@@ -25,7 +25,7 @@ pub mod inspector {
 }
 pub mod kit;
 pub mod learn;
-pub mod pictures;
+pub mod views;
 /// The system under the window: its file dialogs, and the possible sizes of a window.
 pub mod platform {
     pub mod native;

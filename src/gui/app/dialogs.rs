@@ -23,7 +23,7 @@ use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
 use camera_lab_desk::desk::Reply;
-use camera_lab_desk::{Comparison, Intent, LineOrigin, Message, Model, Source};
+use camera_lab_desk::{Intent, LineComparison, LineOrigin, Message, Model, Source};
 use camera_lab_words::learn::{exercise_window, lessons};
 use camera_lab_words::window::{self, Texts, canvas, gallery as gallery_words, scenes, sharing};
 
@@ -214,7 +214,7 @@ struct Question {
     text: String,
     /// The reason why the question arises, if there is a fault.
     fault: Option<String>,
-    comparison: Option<Comparison>,
+    comparison: Option<LineComparison>,
     buttons: Vec<&'static str>,
     /// The button that Enter presses. The choice that loses nothing.
     default: usize,
@@ -323,7 +323,7 @@ fn answer_changed(ctx: &egui::Context, state: &mut State, mut changed: Changed, 
     match (button + 1).checked_sub(offers) {
         Some(0) => {
             let theirs = String::from_utf8_lossy(changed.theirs.as_deref().unwrap_or_default()).into_owned();
-            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(&state.model)));
+            changed.comparison = Some(LineComparison::new(&theirs, &file_flow::text_to_save(&state.model)));
             state.file_flow.dialog = Some(Dialog::Changed(changed));
         }
         Some(1) => {
@@ -357,7 +357,7 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
 }
 
 /// The differing lines: those of the file with −, those of the window with +.
-fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
+fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &LineComparison) {
     let visuals = ui.visuals().clone();
     ui.label(RichText::new(t.compare_file).monospace().color(visuals.error_fg_color));
     ui.label(RichText::new(t.compare_mine).monospace().color(visuals.hyperlink_color));

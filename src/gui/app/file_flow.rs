@@ -28,7 +28,7 @@ use crate::gui::app::file_flow::opening::{mesh, open_shipped, photograph, textur
 use crate::gui::app::file_flow::questions::{Agreed, Asking, Changed, Dialog, FileFlow, Purpose, TitleForm};
 use crate::gui::app::file_flow::reading::Take;
 use crate::gui::app::file_flow::saving::{Save, Saved};
-use crate::gui::app::file_flow::sequence::Search;
+use crate::gui::app::file_flow::sequence::FigureSearch;
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportKind, Exporting, Task, save_chart};
 use crate::gui::kit::frames;
@@ -324,7 +324,7 @@ fn open(ctx: &egui::Context, state: &mut State, path: &Path) {
 /// Moves on to the next figure, or back to the one before.
 pub fn step(ctx: &egui::Context, state: &mut State, forwards: bool) {
     state.model.desk.commit();
-    let search = Search::of(&state.model, forwards);
+    let search = FigureSearch::of(&state.model, forwards);
     let folder = search.folder().map(Path::to_owned).unwrap_or_default();
     read(ctx, state, folder, move || {
         let found = search.find();

@@ -31,9 +31,9 @@ use crate::gui::app::presentation::RestingPointer;
 use crate::gui::app::state::State;
 use crate::gui::app::tab_order::KeyOrder;
 use crate::gui::kit::{Command, Focus, text_field, theme};
-use crate::gui::pictures::Canvas;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gui::platform::window_size::{Opening, Whereabouts};
+use crate::gui::views::Canvas;
 use crate::sanitize;
 use camera_lab_desk::{Keeping, Message, Restored, Sessions};
 

@@ -13,7 +13,7 @@ use crate::gui::app::file_flow::questions::FileFlow;
 use crate::gui::app::state::State;
 use crate::gui::kit::{Command, theme};
 use crate::gui::learn::Learn;
-use crate::gui::pictures::annotations::Annotations;
+use crate::gui::views::annotations::Annotations;
 use camera_lab_desk::Model;
 use camera_lab_words::learn::lessons;
 use camera_lab_words::{told, window};

@@ -11,7 +11,7 @@ use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::gallery::Gallery;
 use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::learn::Learn;
-use crate::gui::pictures::annotations::Annotations;
+use crate::gui::views::annotations::Annotations;
 use crate::gui::why::state::explain::Explain;
 use crate::views::{View, Views};
 use camera_lab_desk::{Desk, Document, Intent, Model, Recent};

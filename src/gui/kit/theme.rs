@@ -168,7 +168,7 @@ fn sizes(style: &mut Style) {
 }
 
 /// The differences between the themes.
-struct Palette {
+struct ThemePalette {
     panel: Color32,
     field: Color32,
     button: Color32,
@@ -186,7 +186,7 @@ struct Palette {
 fn light() -> Visuals {
     dress(
         Visuals::light(),
-        &Palette {
+        &ThemePalette {
             panel: Color32::from_rgb(0xf5, 0xf6, 0xf8),
             field: Color32::WHITE,
             button: Color32::from_rgb(0xff, 0xff, 0xff),
@@ -206,7 +206,7 @@ fn light() -> Visuals {
 fn dark() -> Visuals {
     dress(
         Visuals::dark(),
-        &Palette {
+        &ThemePalette {
             panel: Color32::from_rgb(0x1c, 0x1f, 0x24),
             field: Color32::from_rgb(0x12, 0x14, 0x18),
             button: Color32::from_rgb(0x2a, 0x2f, 0x37),
@@ -223,7 +223,7 @@ fn dark() -> Visuals {
     )
 }
 
-fn dress(mut v: Visuals, p: &Palette) -> Visuals {
+fn dress(mut v: Visuals, p: &ThemePalette) -> Visuals {
     v.panel_fill = p.panel;
     v.window_fill = p.panel;
     v.extreme_bg_color = p.field;

@@ -90,7 +90,7 @@ pub(super) fn show(
     ui.add_space(4.0);
     let t = words::texts(writing.lang);
     ui.label(RichText::new(t.made_of).small().weak());
-    let mut tree = Tree { writing, t, open: &mut state.open, pointed: None };
+    let mut tree = AnswerTree { writing, t, open: &mut state.open, pointed: None };
     for symbol in symbols {
         tree.symbol(ui, &mut vec![symbol]);
     }
@@ -116,7 +116,7 @@ pub(super) fn of_symbol(ui: &mut Ui, writing: Writing<'_>, symbol: Symbol) {
 }
 
 /// The definitions of symbols, each opened by a click.
-struct Tree<'a> {
+struct AnswerTree<'a> {
     writing: Writing<'a>,
     t: &'static Texts,
     open: &'a mut std::collections::BTreeSet<Vec<Symbol>>,
@@ -124,7 +124,7 @@ struct Tree<'a> {
     pointed: Option<Symbol>,
 }
 
-impl Tree<'_> {
+impl AnswerTree<'_> {
     /// The last symbol of a path, and its definition below it.
     fn symbol(&mut self, ui: &mut Ui, path: &mut Vec<Symbol>) {
         let Some(&symbol) = path.last() else { return };

@@ -20,7 +20,7 @@ const BUTTON: f32 = 20.0;
 const BUTTONS: f32 = 3.0 * (BUTTON + 6.0);
 
 /// A change of the list, applied after all rows have been shown.
-enum Change {
+enum OrderChange {
     Step(usize, bool),
     Put(usize, usize),
     Remove(usize),
@@ -52,7 +52,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
                     held = Some((place, dots.drag_stopped()));
                 }
                 if dots.has_focus() && ui.input(|input| input.key_pressed(Key::Delete)) {
-                    change = Some(Change::Remove(place));
+                    change = Some(OrderChange::Remove(place));
                 }
                 fields(ui, t, &mut order.list[place].call, key);
                 if let Some(asked) = buttons(ui, t, place, key, order.list.len()) {
@@ -72,16 +72,16 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
     if let Some((from, dropped)) = held {
         let to = target(ui, &rows);
         if dropped {
-            change = Some(Change::Put(from, to));
+            change = Some(OrderChange::Put(from, to));
         } else {
             insertion_line(ui, &rows, to);
         }
     }
     match change {
         None => return,
-        Some(Change::Step(key, forward)) => order.step(key, forward),
-        Some(Change::Put(from, to)) => order.put(from, to),
-        Some(Change::Remove(place)) => drop(order.list.remove(place)),
+        Some(OrderChange::Step(key, forward)) => order.step(key, forward),
+        Some(OrderChange::Put(from, to)) => order.put(from, to),
+        Some(OrderChange::Remove(place)) => drop(order.list.remove(place)),
     }
     ui.ctx().request_repaint();
 }
@@ -169,7 +169,7 @@ fn fields(ui: &mut Ui, t: &'static Texts, call: &mut Call, key: usize) {
 }
 
 /// Earlier, later, away, at the right end of the row.
-fn buttons(ui: &mut Ui, t: &'static Texts, place: usize, key: usize, count: usize) -> Option<Change> {
+fn buttons(ui: &mut Ui, t: &'static Texts, place: usize, key: usize, count: usize) -> Option<OrderChange> {
     let number = place + 1;
     let (up, down, away) = at_right(ui, |ui| {
         let mut button = |sign: &str, name: &str, enabled: bool| {
@@ -179,9 +179,9 @@ fn buttons(ui: &mut Ui, t: &'static Texts, place: usize, key: usize, count: usiz
         (button("▲", t.earlier, place > 0), button("▼", t.later, place + 1 < count), button("✕", t.remove, true))
     });
     match (up, down, away) {
-        (true, _, _) => Some(Change::Step(key, false)),
-        (_, true, _) => Some(Change::Step(key, true)),
-        (_, _, true) => Some(Change::Remove(place)),
+        (true, _, _) => Some(OrderChange::Step(key, false)),
+        (_, true, _) => Some(OrderChange::Step(key, true)),
+        (_, _, true) => Some(OrderChange::Remove(place)),
         _ => None,
     }
 }

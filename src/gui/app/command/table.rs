@@ -2,7 +2,7 @@
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
-use super::{InBrowser, Menu, Row};
+use super::{CommandRow, InBrowser, Menu};
 use crate::appearance;
 use crate::figure::Explanation;
 use crate::gui::app::file_flow;
@@ -49,7 +49,7 @@ macro_rules! row {
             .on(|s| s.model.layout.is_shown(View::$view))
     };
     (arrangement $arrangement:expr, $keys:expr) => {
-        Row::new(
+        CommandRow::new(
             Arrange($arrangement),
             $keys,
             |t| (canvas::texts(t.lang).arrangement($arrangement), t.arrange_hint),
@@ -64,10 +64,10 @@ macro_rules! row {
         row!(Observe($change), $keys, $label, $hint, |s, _| s.model.frame.observer_change = Some($change))
     };
     ($command:expr, $keys:expr, $label:ident, $hint:ident, $run:expr) => {
-        Row::new($command, $keys, |t| (t.$label, t.$hint), $run)
+        CommandRow::new($command, $keys, |t| (t.$label, t.$hint), $run)
     };
     ($command:expr, $keys:expr, $texts:ident::$label:ident, $hint:ident, $run:expr) => {
-        Row::new($command, $keys, |t| ($texts::texts(t.lang).$label, $texts::texts(t.lang).$hint), $run)
+        CommandRow::new($command, $keys, |t| ($texts::texts(t.lang).$label, $texts::texts(t.lang).$hint), $run)
     };
 }
 
@@ -246,7 +246,7 @@ pub const MENUS: &[Menu] = &[
                 row!(ZoomReset, ctrl(Key::Num0), zoom_reset, zoom_reset_hint, |s, _| s.model.settings.zoom = 1.0)
                     .browsers_keys(),
             ],
-            &[Row::new(
+            &[CommandRow::new(
                 Language,
                 ctrl(Key::L),
                 |t| (t.lang.next().name(), camera_lab_words::window::texts(t.lang.next()).language_hint),
@@ -354,7 +354,7 @@ const fn alt(key: Key) -> KeyboardShortcut {
 /// Label and hint.
 type Words = fn(&Texts) -> (&'static str, &'static str);
 
-impl Row {
+impl CommandRow {
     /// A command that is always available, and is neither on nor off.
     const fn new(command: Command, shortcut: KeyboardShortcut, words: Words, run: fn(&mut State, &Context)) -> Self {
         Self {

@@ -15,7 +15,7 @@ use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::handout::pages::PagesPreview;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
 use crate::sanitize;
-use camera_lab_desk::{Comparison, FileFor, Message, NewsList, Revision, Running, Theirs, Watch};
+use camera_lab_desk::{FileFor, LineComparison, Message, NewsList, Revision, Running, Theirs, Watch};
 use camera_lab_words::Lang;
 use camera_lab_words::window::{self, scenes};
 
@@ -70,7 +70,7 @@ pub struct Changed {
     /// The content of the file.
     pub theirs: Theirs,
     /// The differing lines, once requested.
-    pub comparison: Option<Comparison>,
+    pub comparison: Option<LineComparison>,
 }
 
 /// The typed words of a figure.

@@ -110,7 +110,7 @@ impl Save {
 
 /// A save that is under way.
 #[derive(Debug)]
-struct Running {
+struct RunningSave {
     worker: Worker<ToSave, Saved>,
     save: Save,
     /// The document in it; `None` if it has been saved elsewhere meanwhile.
@@ -120,7 +120,7 @@ struct Running {
 /// The files being written. One that stalls keeps no other from being written.
 #[derive(Debug)]
 pub struct Saving {
-    running: Vec<Running>,
+    running: Vec<RunningSave>,
     /// Saves that wait for another one of the same file, each with its document.
     queued: Vec<(Save, Revision)>,
     /// Time that a frame waits for a file. Tests have more of it.
@@ -152,7 +152,7 @@ impl Saving {
         let write = async |job: ToSave, _: &Progress| job.run().unwrap_or_else(Saved::Failed);
         let mut worker = Worker::new("save", clock::now, move || write);
         worker.ask(&frames(ctx), 0, job);
-        self.running.push(Running { worker, save, document: Some(document.id()) });
+        self.running.push(RunningSave { worker, save, document: Some(document.id()) });
     }
 
     /// Saves a document once the file isn't being written any more. The last request counts. An intent waits for it if
@@ -196,7 +196,7 @@ impl Saving {
             Some((k, done?.outcome))
         })?;
         let bug = || Saved::Failed(FileError::Write(std::io::Error::other("a bug in this program")));
-        let Running { save, document, .. } = self.running.remove(k);
+        let RunningSave { save, document, .. } = self.running.remove(k);
         for before in self.running.iter_mut().take(k).filter(|before| before.document == document) {
             // Its file is no longer that of the document.
             before.document = None;

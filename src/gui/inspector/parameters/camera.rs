@@ -2,8 +2,9 @@
 
 use eframe::egui;
 
-use super::{ParameterForm, lens_menu, row, toggle};
-use crate::camera::{Camera, ParameterKey, Parameters, Projection, ViewWindow};
+use super::lens_menu::{self, free_window, symmetric_window};
+use super::{ParameterForm, row, toggle};
+use crate::camera::{ParameterKey, Projection, ViewWindow};
 use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
 use crate::gui::kit::{Explained, NumberField, Step, help_topic};
@@ -183,23 +184,4 @@ fn sides(ui: &mut egui::Ui, form: &mut ParameterForm) {
     }
     form.parameters.window = Some(ViewWindow { left, right, bottom, top });
     form.complain(ui, ParameterKey::Window, &outputs);
-}
-
-/// Frees the window without changing it.
-fn free_window(parameters: &Parameters, good: &Camera) -> Parameters {
-    let window = Camera::new(parameters).map_or_else(|_| good.window(), |camera| camera.window());
-    Parameters { window: Some(window), ..*parameters }
-}
-
-/// Makes the window symmetric. Its size stays. If only the padlock has been used, θ, H and A stay to the last bit.
-pub(super) fn symmetric_window(parameters: &Parameters) -> Parameters {
-    let before = Parameters { window: None, ..*parameters };
-    let Some(window) = parameters.window else { return before };
-    if Camera::new(&before).is_ok_and(|camera| camera.window() == window) {
-        return before;
-    }
-    let height = window.height();
-    let angle = 2.0 * (height / 2.0 / parameters.near).atan().to_degrees();
-    let after = Parameters { view_angle: angle, height, aspect: window.aspect(), ..before };
-    if Camera::new(&after).is_ok() { after } else { before }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, RichText};
 use glam::DVec3;
 
-use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, file_row, texture};
+use super::{ROTATE, SCALE, SceneEdit, SceneForm, TRANSLATE, TransformPart, file_row, texture};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
 use crate::gui::inspector::{VectorField, choice_row, complaint, row};
@@ -22,7 +22,7 @@ use camera_lab_words::why::notes;
 use camera_lab_words::window::scenes::{self, Texts, preset_object};
 
 /// The fields of the object at this place of the list. Returns the request of its buttons.
-pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<SceneEdit> {
     let t = form.t;
     let name = form.scene.objects[index].name.clone();
     let together = model.tree.names(&form.scene).len();
@@ -130,7 +130,7 @@ fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
 }
 
 /// The parent: any object but itself and its descendants.
-fn parent(ui: &mut egui::Ui, model: &mut Model, form: &SceneForm, index: usize) -> Option<Edit> {
+fn parent(ui: &mut egui::Ui, model: &mut Model, form: &SceneForm, index: usize) -> Option<SceneEdit> {
     let t = form.t;
     let object = &form.scene.objects[index];
     let below = descendants(&form.scene, &object.name);
@@ -162,7 +162,7 @@ fn parent(ui: &mut egui::Ui, model: &mut Model, form: &SceneForm, index: usize) 
     let mut stay = !model.tree.moves_with_parent;
     ui.checkbox(&mut stay, t.stay).explained(t.stay_hint);
     model.tree.moves_with_parent = !stay;
-    (chosen != object.parent).then(|| Edit::Hang { name: object.name.clone(), parent: chosen })
+    (chosen != object.parent).then(|| SceneEdit::Hang { name: object.name.clone(), parent: chosen })
 }
 
 fn transform_fields(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, transforming: &mut Transforming) {
@@ -361,10 +361,10 @@ fn duplicate(model: &mut Model, form: &mut SceneForm) {
 }
 
 /// The delete button, or a menu if the selection has children.
-fn delete(ui: &mut egui::Ui, form: &SceneForm, names: &BTreeSet<String>) -> Option<Edit> {
+fn delete(ui: &mut egui::Ui, form: &SceneForm, names: &BTreeSet<String>) -> Option<SceneEdit> {
     let t = form.t;
     let below = transform::below(&form.scene, names);
-    let remove = |children| Some(Edit::Remove { names: names.clone(), children });
+    let remove = |children| Some(SceneEdit::Remove { names: names.clone(), children });
     if below == 0 {
         let button = ui.button(t.delete).explained(t.delete_hint);
         return button.clicked().then(|| remove(Children::Removed)).flatten();

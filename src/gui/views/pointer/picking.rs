@@ -4,8 +4,7 @@
 use eframe::egui;
 use glam::{DVec2, DVec3};
 
-use super::keyboard_probe::ProbeStep;
-use crate::camera::{Camera, ImageSize};
+use super::keyboard_probe::{ProbeStep, center_of, pixel_of};
 use crate::figure::Depth;
 use crate::gui::kit::frames;
 use crate::progress::{Progress, at_once, pause};
@@ -15,11 +14,11 @@ use camera_lab_desk::background::memo::MAX_WAIT;
 use camera_lab_desk::{Latest, is_heavy};
 
 /// Distance within which the pointer catches a vertex, in points.
-pub(in crate::gui::pictures) const REACH: f32 = 7.0;
+pub(in crate::gui::views) const REACH: f32 = 7.0;
 
 /// A query about a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::gui::pictures) enum PickQuery {
+pub(in crate::gui::views) enum PickQuery {
     /// The probe at a place (pixels), within reach (pixels).
     Under { pointer: DVec2, reach: f64 },
     /// The point of a probe: for a pixel the first point of the scene behind it, with its depth in the buffer.
@@ -32,9 +31,9 @@ pub(in crate::gui::pictures) enum PickQuery {
 
 /// A pick, with every input of its answer.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::gui::pictures) struct PickRequest {
-    pub(in crate::gui::pictures) request: Request,
-    pub(in crate::gui::pictures) what: PickQuery,
+pub(in crate::gui::views) struct PickRequest {
+    pub(in crate::gui::views) request: Request,
+    pub(in crate::gui::views) what: PickQuery,
 }
 
 impl PickRequest {
@@ -48,7 +47,7 @@ impl PickRequest {
         }
     }
 
-    pub(in crate::gui::pictures) fn is_heavy(&self) -> bool {
+    pub(in crate::gui::views) fn is_heavy(&self) -> bool {
         is_heavy(&self.request.scene)
     }
 
@@ -76,19 +75,19 @@ impl PickRequest {
 
 /// The result of a query.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::gui::pictures) struct PickResult {
-    pub(in crate::gui::pictures) probe: Option<Probe>,
-    pub(in crate::gui::pictures) depths: Option<Depths>,
+pub(in crate::gui::views) struct PickResult {
+    pub(in crate::gui::views) probe: Option<Probe>,
+    pub(in crate::gui::views) depths: Option<Depths>,
     /// The point of the world that the probe marks.
-    pub(in crate::gui::pictures) point: Option<DVec3>,
+    pub(in crate::gui::views) point: Option<DVec3>,
     /// The name of the figure's object.
-    pub(in crate::gui::pictures) object: Option<String>,
+    pub(in crate::gui::views) object: Option<String>,
     /// The object of the scene, and the index in its mesh.
-    pub(in crate::gui::pictures) triangle: Option<(usize, u32)>,
+    pub(in crate::gui::views) triangle: Option<(usize, u32)>,
 }
 
 /// The content of the depth buffer at a pixel, if any.
-pub(in crate::gui::pictures) type Depths = Option<DepthReading>;
+pub(in crate::gui::views) type Depths = Option<DepthReading>;
 
 /// The target at `pointer` (pixels) in a picture: a vertex within `reach` pixels, or a pixel of the image.
 fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
@@ -115,7 +114,7 @@ fn depths(probe: Probe, request: &Request) -> Option<Depths> {
 }
 
 /// Answers one pick after the other. One that hasn't been started is dropped when the next comes.
-pub(in crate::gui::pictures) struct Picker {
+pub(in crate::gui::views) struct Picker {
     found: Latest<PickRequest, PickResult>,
 }
 
@@ -127,7 +126,7 @@ impl Default for Picker {
 
 impl Picker {
     /// The result. During the search, the last one nearby. Requests a frame of `ctx` when it's found.
-    pub(in crate::gui::pictures) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> PickResult {
+    pub(in crate::gui::views) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> PickResult {
         if let Some(found) = self.found(ctx, &pick) {
             return found;
         }
@@ -136,12 +135,12 @@ impl Picker {
     }
 
     /// True while an answer may still come.
-    pub(in crate::gui::pictures) fn is_waiting(&self) -> bool {
+    pub(in crate::gui::views) fn is_waiting(&self) -> bool {
         self.found.waiting().is_some()
     }
 
     /// The result. `None` during the search.
-    pub(in crate::gui::pictures) fn found(&mut self, ctx: &egui::Context, pick: &PickRequest) -> Option<PickResult> {
+    pub(in crate::gui::views) fn found(&mut self, ctx: &egui::Context, pick: &PickRequest) -> Option<PickResult> {
         if !pick.is_heavy() {
             return Some(at_once(pick.find()));
         }
@@ -149,18 +148,6 @@ impl Picker {
         self.found.poll(MAX_WAIT);
         self.found.newest().filter(|(last, _)| *last == pick).map(|(_, found)| found.clone())
     }
-}
-
-/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22). On the right and the lower
-/// border, the last one.
-pub(in crate::gui::pictures) fn pixel_of(image: ImageSize, camera: &Camera, point: DVec2) -> DVec2 {
-    let last = DVec2::new(f64::from(image.width), f64::from(image.height)) - 1.0;
-    image.image_from_window(&camera.window(), point).floor().clamp(DVec2::ZERO, last.max(DVec2::ZERO))
-}
-
-/// The point of the view window at the centre of a pixel, `[0]` Eq. (5.23).
-pub(in crate::gui::pictures) fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec2 {
-    image.window_from_image(&camera.window(), pixel + 0.5)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use eframe::egui::{self, Align2, Id, Popup, Rect, RichText, Sense, TextStyle, Ui, UiBuilder, WidgetText};
 
 use crate::gui::kit::{Command, Explained, written};
-use crate::gui::pictures::icons::{Icon, icon_button, left_center};
+use crate::gui::views::icons::{Icon, icon_button, left_center};
 use crate::views::View;
 use crate::views::observer::Viewpoint;
 use camera_lab_desk::ObserverChange;
@@ -12,7 +12,7 @@ use camera_lab_words::window::canvas::CanvasTexts;
 
 /// The action of a title's button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::gui::pictures) enum TitleAction {
+pub(in crate::gui::views) enum TitleAction {
     /// Look from somewhere else.
     Observe(ObserverChange),
     /// Give the picture all the room, or restore the others.
@@ -26,20 +26,20 @@ pub(in crate::gui::pictures) enum TitleAction {
 }
 
 /// The content of a title.
-pub(in crate::gui::pictures) struct Title<'a> {
-    pub(in crate::gui::pictures) view: View,
-    pub(in crate::gui::pictures) name: &'a str,
-    pub(in crate::gui::pictures) texts: &'a CanvasTexts,
-    pub(in crate::gui::pictures) linked: bool,
-    pub(in crate::gui::pictures) maximized: bool,
+pub(in crate::gui::views) struct Title<'a> {
+    pub(in crate::gui::views) view: View,
+    pub(in crate::gui::views) name: &'a str,
+    pub(in crate::gui::views) texts: &'a CanvasTexts,
+    pub(in crate::gui::views) linked: bool,
+    pub(in crate::gui::views) maximized: bool,
     /// True in a presentation, in which only the name is shown until the pointer is over the title.
-    pub(in crate::gui::pictures) quiet: bool,
+    pub(in crate::gui::views) quiet: bool,
     /// False for the only picture left.
-    pub(in crate::gui::pictures) can_hide: bool,
+    pub(in crate::gui::views) can_hide: bool,
     /// True if the image is shown as the eye would see it. `None` if that makes no difference.
-    pub(in crate::gui::pictures) undistorted: Option<bool>,
+    pub(in crate::gui::views) undistorted: Option<bool>,
     /// True if the world is shown as a section. `None` for the other pictures.
-    pub(in crate::gui::pictures) section: Option<bool>,
+    pub(in crate::gui::views) section: Option<bool>,
 }
 
 const CHANGES: [ObserverChange; 8] = [
@@ -58,7 +58,7 @@ const OF_THE_CUBE: usize = 5;
 
 impl Title<'_> {
     /// Draws the title in `rect`. The menu of viewpoints has its word if there is room.
-    pub(in crate::gui::pictures) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<TitleAction> {
+    pub(in crate::gui::views) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<TitleAction> {
         let mut action = None;
         let font = TextStyle::Button.resolve(ui.style());
         let galley = WidgetText::from(self.name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
@@ -180,7 +180,7 @@ impl Title<'_> {
     }
 
     /// The menu that a right click in the picture opens.
-    pub(in crate::gui::pictures) fn context_menu(&self, ui: &mut Ui, t: &window::Texts) -> Option<TitleAction> {
+    pub(in crate::gui::views) fn context_menu(&self, ui: &mut Ui, t: &window::Texts) -> Option<TitleAction> {
         let mut action = None;
         if matches!(self.view, View::World | View::Canonical) {
             action = self.viewpoints(ui);

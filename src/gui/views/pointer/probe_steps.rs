@@ -7,12 +7,12 @@ use glam::DVec2;
 use super::keyboard_probe::ProbeStep;
 use super::picking::{PickQuery, PickRequest};
 use crate::figure::Explanation;
-use crate::gui::pictures::{Canvas, Inputs, Pane};
+use crate::gui::views::{Canvas, Inputs, Pane};
 use crate::views::{Hover, Request, View};
 use camera_lab_desk::{Model, Selected, Side, Tab};
 
 /// A click on an object or on a triangle.
-pub(in crate::gui::pictures) struct Click {
+pub(in crate::gui::views) struct Click {
     pick: PickRequest,
     pointer: DVec2,
     /// True if the object is added to the selection.
@@ -27,7 +27,7 @@ fn selects(model: &Model) -> bool {
 impl Click {
     /// The click that a picture has received, if it selects or chooses anything: objects while the tree of the scene is
     /// open, triangles of the image while one is explained.
-    pub(in crate::gui::pictures) fn in_picture(model: &Model, pane: &Pane) -> Option<Self> {
+    pub(in crate::gui::views) fn in_picture(model: &Model, pane: &Pane) -> Option<Self> {
         let object = selects(model) && (pane.view != View::Canonical || !model.is_on_the_way());
         let triangle = model.shows_explanation(Explanation::Triangle) && pane.view == View::Image;
         let place = pane.response.interact_pointer_pos().filter(|_| object || triangle)?;
@@ -40,19 +40,19 @@ impl Click {
 
 impl Canvas {
     /// True while the keys move the probe, or it's on its way.
-    pub(in crate::gui::pictures) fn is_probing(&self) -> bool {
+    pub(in crate::gui::views) fn is_probing(&self) -> bool {
         self.probing.is_some() || !self.probe_steps.is_empty() || self.clicked_pick.is_some() || self.clicked.is_some()
     }
 
     /// Ends the probing by keys, with the steps that have not been taken yet.
-    pub(in crate::gui::pictures) fn stop_probing(&mut self) {
+    pub(in crate::gui::views) fn stop_probing(&mut self) {
         self.probing = None;
         self.probe_steps.clear();
         (self.clicked_pick, self.clicked) = (None, None);
     }
 
     /// Selects the object and chooses the triangle of a click, once they have been found.
-    pub(in crate::gui::pictures) fn take_click(&mut self, ctx: &Context, model: &mut Model, inputs: &mut Inputs<'_>) {
+    pub(in crate::gui::views) fn take_click(&mut self, ctx: &Context, model: &mut Model, inputs: &mut Inputs<'_>) {
         let Some(click) = self.clicked.take() else { return };
         // A pixel of the followed triangle, or another triangle?
         let waits = model.shows_explanation(Explanation::Triangle) && inputs.triangle_waits;
@@ -77,7 +77,7 @@ impl Canvas {
     }
 
     /// Pins the result of a click in a heavy scene, once it's found.
-    pub(in crate::gui::pictures) fn pin_clicked(&mut self, ctx: &Context, model: &mut Model) {
+    pub(in crate::gui::views) fn pin_clicked(&mut self, ctx: &Context, model: &mut Model) {
         let Some(pick) = self.clicked_pick.take() else { return };
         match self.picker.found(ctx, &pick) {
             Some(found) => {
@@ -91,7 +91,7 @@ impl Canvas {
 
     /// Takes the steps requested by keys, each from the result of the one before. In a heavy scene they take a while,
     /// beside the window's thread.
-    pub(in crate::gui::pictures) fn take_probe_steps(&mut self, ctx: &Context, model: &mut Model, panes: &[Pane]) {
+    pub(in crate::gui::views) fn take_probe_steps(&mut self, ctx: &Context, model: &mut Model, panes: &[Pane]) {
         while let Some((picture, step)) = self.probe_steps.front().copied() {
             let is_there =
                 |pane: &&Pane| pane.picture == picture && !(pane.view == View::Canonical && model.is_on_the_way());

@@ -4,9 +4,9 @@
 use eframe::egui::{Align2, Color32, CursorIcon, Key, Modifiers, Stroke, TextStyle, Ui, vec2};
 use glam::DVec2;
 
-use crate::gui::pictures::image_place::ImagePlace;
-use crate::gui::pictures::labels::label_drag::arrow_of;
-use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::views::image_place::ImagePlace;
+use crate::gui::views::labels::label_drag::arrow_of;
+use crate::gui::views::{Canvas, Pane};
 use crate::views::{View, pick};
 use camera_lab_desk::Placing;
 
@@ -18,7 +18,7 @@ const FAST: f64 = 10.0;
 
 impl Canvas {
     /// Puts the cross under the pointer, if a question asks for a place. Returns false if none does.
-    pub(in crate::gui::pictures) fn place(ui: &Ui, pane: &Pane, placing: Option<&mut Placing>) -> bool {
+    pub(in crate::gui::views) fn place(ui: &Ui, pane: &Pane, placing: Option<&mut Placing>) -> bool {
         let Some(placing) = placing.filter(|placing| placing.is_open && pane.view == View::Image) else { return false };
         let response = &pane.response;
         if response.hovered() {
@@ -37,7 +37,7 @@ impl Canvas {
     }
 
     /// Moves the cross by an arrow key. Returns true if it was one.
-    pub(in crate::gui::pictures) fn place_by_key(
+    pub(in crate::gui::views) fn place_by_key(
         placing: Option<&mut Placing>,
         pane: &Pane,
         key: Key,
@@ -56,7 +56,7 @@ impl Canvas {
     }
 
     /// Draws the marks of a question for a place.
-    pub(in crate::gui::pictures) fn marks(ui: &Ui, placing: Option<&Placing>, panes: &[Pane]) {
+    pub(in crate::gui::views) fn marks(ui: &Ui, placing: Option<&Placing>, panes: &[Pane]) {
         let Some(placing) = placing else { return };
         for pane in panes.iter().filter(|pane| pane.view == View::Image) {
             let (dark, visuals) = (Color32::from_black_alpha(160), ui.visuals());

@@ -8,7 +8,7 @@ use super::status::{Status, line_height, table};
 use super::{Canvas, Pane};
 use crate::figure::{Depth, Explanation};
 use crate::gui::kit::Explained;
-use crate::gui::pictures::pointer::picking::{PickQuery, PickRequest};
+use crate::gui::views::pointer::picking::{PickQuery, PickRequest};
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::views::{Hover, Probe, Request, Shot, Size, View, pick};
 use camera_lab_desk::Model;

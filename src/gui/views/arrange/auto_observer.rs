@@ -18,16 +18,16 @@ const REMEMBERED: usize = 64;
 
 /// The moment for which an observer is requested.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::gui::pictures) struct Moment {
+pub(in crate::gui::views) struct Moment {
     /// Time in seconds.
-    pub(in crate::gui::pictures) now: f64,
+    pub(in crate::gui::views) now: f64,
     /// True while some button of the pointer is down, or the camera is moving. A dragged point stays below the pointer.
     /// While a value is dragged the scale stays, so that the window is seen to grow and not the rest to shrink.
-    pub(in crate::gui::pictures) on_the_way: bool,
+    pub(in crate::gui::views) on_the_way: bool,
     /// True if there are no gliding motions.
-    pub(in crate::gui::pictures) still: bool,
+    pub(in crate::gui::views) still: bool,
     /// Files of the scene are still being read.
-    pub(in crate::gui::pictures) loading: bool,
+    pub(in crate::gui::views) loading: bool,
 }
 
 /// Settings that make a picture larger or smaller besides the camera and the scene: the displayed parts outside the
@@ -36,7 +36,7 @@ type Extent = (Outside, Ndc);
 
 /// The observer of a figure that doesn't set one.
 #[derive(Debug, Default)]
-pub(in crate::gui::pictures) struct Auto {
+pub(in crate::gui::views) struct Auto {
     kept: Option<KeptObserver>,
     /// Earlier subjects with their observers. If a camera comes back, as by undo, its observer does too.
     before: VecDeque<(Subject, Observer)>,
@@ -65,12 +65,12 @@ impl Subject {
 
 /// An observer in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::gui::pictures) struct AutoObserver {
-    pub(in crate::gui::pictures) observer: Observer,
+pub(in crate::gui::views) struct AutoObserver {
+    pub(in crate::gui::views) observer: Observer,
     /// True if it begins to go back, because something would have left the picture.
-    pub(in crate::gui::pictures) goes_back: bool,
+    pub(in crate::gui::views) goes_back: bool,
     /// True while it's going back.
-    pub(in crate::gui::pictures) glides: bool,
+    pub(in crate::gui::views) glides: bool,
 }
 
 #[derive(Debug)]
@@ -91,7 +91,7 @@ struct KeptObserver {
 impl Auto {
     /// The observer for a picture. `None` for the image. It looks in the same direction until there is another
     /// `subject`, a scene unrelated to the last one.
-    pub(in crate::gui::pictures) fn observer(
+    pub(in crate::gui::views) fn observer(
         &mut self,
         request: &Request,
         subject: u64,
@@ -153,7 +153,7 @@ impl Auto {
     }
 
     /// Fits again in the next frame.
-    pub(in crate::gui::pictures) fn forget(&mut self) {
+    pub(in crate::gui::views) fn forget(&mut self) {
         self.kept = None;
         self.before.clear();
     }

@@ -4,7 +4,7 @@ use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
 use crate::camera::{Camera, PhotographCamera, WorldAxis};
 use crate::gui::kit::{Explained, NumberField, Step};
-use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::views::{Canvas, Pane};
 use camera_lab_desk::{Drawn, Model};
 use camera_lab_words::why::photograph as steps;
 use camera_lab_words::window::photograph::Texts;
@@ -15,7 +15,7 @@ const WIDTH: f32 = 286.0;
 
 impl Canvas {
     /// Shows the card while the tool is open. The user can move it.
-    pub(in crate::gui::pictures) fn photograph_card(ui: &Ui, model: &mut Model, panes: &[Pane]) {
+    pub(in crate::gui::views) fn photograph_card(ui: &Ui, model: &mut Model, panes: &[Pane]) {
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
         let Some(room) = room.filter(|_| model.photograph.on) else { return };
         let t = words::texts(model.settings.lang);

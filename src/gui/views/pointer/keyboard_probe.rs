@@ -3,8 +3,7 @@
 use eframe::egui::Key;
 use glam::DVec2;
 
-use super::picking::{center_of, pixel_of};
-use crate::camera::ImageSize;
+use crate::camera::{Camera, ImageSize};
 use crate::views::{Probe, Request, View, pick};
 
 /// Pixels for one press of an arrow key with Shift.
@@ -12,7 +11,7 @@ const FAST: f64 = 10.0;
 
 /// The targets of the probe for the arrow keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::gui::pictures) enum Probing {
+pub(in crate::gui::views) enum Probing {
     /// The pixels of the image (key I).
     Pixels,
     /// The vertices that a picture shows (key V).
@@ -21,7 +20,7 @@ pub(in crate::gui::pictures) enum Probing {
 
 impl Probing {
     /// The mode that a key begins in a picture. Pixels only in the image.
-    pub(in crate::gui::pictures) fn asked(key: Key, view: View) -> Option<Self> {
+    pub(in crate::gui::views) fn asked(key: Key, view: View) -> Option<Self> {
         match (key, view) {
             (Key::I, View::Image) => Some(Self::Pixels),
             (Key::V, _) => Some(Self::Vertices),
@@ -60,19 +59,19 @@ impl Probing {
 
 /// A key that moves the probe.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::gui::pictures) struct ProbeStep {
-    pub(in crate::gui::pictures) probing: Probing,
+pub(in crate::gui::views) struct ProbeStep {
+    pub(in crate::gui::views) probing: Probing,
     /// The start. `None` if it begins.
-    pub(in crate::gui::pictures) from: Option<Probe>,
+    pub(in crate::gui::views) from: Option<Probe>,
     /// x right, y up.
-    pub(in crate::gui::pictures) arrow: DVec2,
+    pub(in crate::gui::views) arrow: DVec2,
     /// By several pixels.
-    pub(in crate::gui::pictures) fast: bool,
+    pub(in crate::gui::views) fast: bool,
 }
 
 impl ProbeStep {
     /// The new place of the probe. `None` if there is nothing to probe.
-    pub(in crate::gui::pictures) fn taken(self, request: &Request) -> Option<Probe> {
+    pub(in crate::gui::views) fn taken(self, request: &Request) -> Option<Probe> {
         match self.from {
             Some(now) => self.probing.moved(request, now, self.arrow, self.fast).or(Some(now)),
             None => self.probing.first(request),
@@ -82,4 +81,16 @@ impl ProbeStep {
 
 fn at_pixel(request: &Request, pixel: DVec2) -> Probe {
     Probe::Window(center_of(request.shot.look.image, &request.camera, pixel))
+}
+
+/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22). On the right and the lower
+/// border, the last one.
+pub(in crate::gui::views) fn pixel_of(image: ImageSize, camera: &Camera, point: DVec2) -> DVec2 {
+    let last = DVec2::new(f64::from(image.width), f64::from(image.height)) - 1.0;
+    image.image_from_window(&camera.window(), point).floor().clamp(DVec2::ZERO, last.max(DVec2::ZERO))
+}
+
+/// The point of the view window at the centre of a pixel, `[0]` Eq. (5.23).
+pub(in crate::gui::views) fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec2 {
+    image.window_from_image(&camera.window(), pixel + 0.5)
 }

@@ -13,13 +13,13 @@ use camera_lab_desk::{Latest, Memo, Selected, is_heavy, preset_objects};
 
 /// A vertex, as people call it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::gui::pictures) struct VertexName {
+pub(in crate::gui::views) struct VertexName {
     /// The object's name.
-    pub(in crate::gui::pictures) object: String,
+    pub(in crate::gui::views) object: String,
     /// Part of the named scene.
-    pub(in crate::gui::pictures) of_preset: bool,
+    pub(in crate::gui::views) of_preset: bool,
     /// Its place among the object's vertices, from 1.
-    pub(in crate::gui::pictures) number: usize,
+    pub(in crate::gui::views) number: usize,
 }
 
 /// A point of a scene.
@@ -27,7 +27,7 @@ type Place = (SharedScene, DVec3);
 
 /// The name of the point requested last.
 #[derive(Debug)]
-pub(in crate::gui::pictures) struct VertexNames {
+pub(in crate::gui::views) struct VertexNames {
     last: Memo<Place, Option<VertexName>>,
     /// Searches among many vertices.
     search: Latest<Place, Option<OfMesh>>,
@@ -54,7 +54,7 @@ struct OfMesh {
 impl VertexNames {
     /// The vertex at a point of the world, if one is exactly there. In a heavy scene it's found beside the window's
     /// thread, which then requests a frame of `ctx`.
-    pub(in crate::gui::pictures) fn at(
+    pub(in crate::gui::views) fn at(
         &mut self,
         ctx: &egui::Context,
         p: DVec3,

@@ -5,16 +5,16 @@ use glam::DVec2;
 
 use crate::figure::labels::note_name;
 use crate::figure::{Labels, Note, NotePlace};
-use crate::gui::pictures::pointer::handle_drag;
-use crate::gui::pictures::status::Status;
-use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::views::pointer::handle_drag;
+use crate::gui::views::status::Status;
+use crate::gui::views::{Canvas, Pane};
 use crate::limits::MAX_LABELS;
 use crate::views::{LabelPlace, View, note_place};
 use camera_lab_desk::Model;
 use camera_lab_words::window::labels as words;
 
 /// A held label.
-pub(in crate::gui::pictures) struct LabelDrag {
+pub(in crate::gui::views) struct LabelDrag {
     label: LabelPlace,
     view: View,
     /// From the pointer to the middle of the text, pixels.
@@ -24,19 +24,14 @@ pub(in crate::gui::pictures) struct LabelDrag {
 
 impl LabelDrag {
     /// Takes the label at `from` (pixels), if one is there.
-    pub(in crate::gui::pictures) fn taken(
-        labels: &[LabelPlace],
-        view: View,
-        from: DVec2,
-        model: &Model,
-    ) -> Option<Self> {
+    pub(in crate::gui::views) fn taken(labels: &[LabelPlace], view: View, from: DVec2, model: &Model) -> Option<Self> {
         let label = label_at(labels, from)?.clone();
         let grip = label.center - from;
         Some(Self { label, view, grip, before: model.desk.shown.figure().labels.clone() })
     }
 
     /// The label follows the pointer (pixels).
-    pub(in crate::gui::pictures) fn follow(&self, model: &mut Model, to: DVec2, ctx: &Context) {
+    pub(in crate::gui::views) fn follow(&self, model: &mut Model, to: DVec2, ctx: &Context) {
         let by = self.label.moved_to(to + self.grip);
         model.label_mode.choose(Some((self.view, self.label.name.clone())));
         if model.desk.shown.figure().labels.change(&self.label.name, self.view).by != Some(by) {
@@ -46,12 +41,12 @@ impl LabelDrag {
     }
 
     /// Puts it back in its former place.
-    pub(in crate::gui::pictures) fn give_up(self, model: &mut Model) {
+    pub(in crate::gui::views) fn give_up(self, model: &mut Model) {
         model.desk.shown.edit_labels(|labels| *labels = self.before);
     }
 
     /// Its text, and its distance from its point.
-    pub(in crate::gui::pictures) fn line(&self, model: &Model) -> String {
+    pub(in crate::gui::views) fn line(&self, model: &Model) -> String {
         let mark = model.settings.lang.mark();
         let by = model.desk.shown.figure().labels.change(&self.label.name, self.view).by.unwrap_or_default();
         let [x, y] = by.to_array().map(|v| mark.number(v, 3));
@@ -66,7 +61,7 @@ fn label_at(labels: &[LabelPlace], place: DVec2) -> Option<&LabelPlace> {
 
 impl Canvas {
     /// Shows the possible actions for the label under the pointer.
-    pub(in crate::gui::pictures) fn label_hover(
+    pub(in crate::gui::views) fn label_hover(
         &self,
         ui: &Ui,
         model: &Model,
@@ -84,7 +79,7 @@ impl Canvas {
     }
 
     /// A click chooses a label, or puts a note.
-    pub(in crate::gui::pictures) fn label_click(&self, model: &mut Model, pane: &Pane) {
+    pub(in crate::gui::views) fn label_click(&self, model: &mut Model, pane: &Pane) {
         let response = &pane.response;
         if response.clicked() || response.drag_started() {
             response.request_focus();
@@ -102,7 +97,7 @@ impl Canvas {
     }
 
     /// Lets the arrow keys move the chosen label, and Enter put a note. Returns true if this key did.
-    pub(in crate::gui::pictures) fn label_by_key(
+    pub(in crate::gui::views) fn label_by_key(
         &self,
         model: &mut Model,
         pane: &Pane,
@@ -128,7 +123,7 @@ impl Canvas {
     }
 
     /// Frames around the labels that can be dragged, and around the chosen one.
-    pub(in crate::gui::pictures) fn outline_labels(&self, ui: &Ui, model: &Model, panes: &[Pane]) {
+    pub(in crate::gui::views) fn outline_labels(&self, ui: &Ui, model: &Model, panes: &[Pane]) {
         if !model.label_mode.on {
             return;
         }
@@ -173,7 +168,7 @@ fn add_note(model: &mut Model, pane: &Pane, pixel: DVec2) {
 }
 
 /// The direction of an arrow key, x right and y up. Zero for any other key.
-pub(in crate::gui::pictures) fn arrow_of(key: Key) -> DVec2 {
+pub(in crate::gui::views) fn arrow_of(key: Key) -> DVec2 {
     match key {
         Key::ArrowRight => DVec2::X,
         Key::ArrowLeft => DVec2::NEG_X,

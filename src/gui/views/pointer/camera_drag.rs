@@ -13,7 +13,7 @@ const POLE: f64 = 1.0;
 
 /// A camera moved by dragging its image.
 #[derive(Clone, Debug)]
-pub(in crate::gui::pictures) struct CameraDrag {
+pub(in crate::gui::views) struct CameraDrag {
     /// The camera that Esc restores.
     pub(super) start: Camera,
     /// Units of the window for a pixel to the right and for one down, at PF, so that the content there stays below the
@@ -25,7 +25,7 @@ pub(in crate::gui::pictures) struct CameraDrag {
 
 impl CameraDrag {
     /// Takes the camera at a pixel of its image. `None` outside.
-    pub(in crate::gui::pictures) fn taken(request: &Request, camera: &Camera, at: DVec2, pans: bool) -> Option<Self> {
+    pub(in crate::gui::views) fn taken(request: &Request, camera: &Camera, at: DVec2, pans: bool) -> Option<Self> {
         let window = |p: DVec2| pick::window_point_in_image(request, p);
         let here = window(at)?;
         let pans = if pans {
@@ -44,7 +44,7 @@ impl CameraDrag {
 
     /// Follows the pointer, whose way is `points` on the screen and `pixels` in the picture. Returns true if it has
     /// moved on.
-    pub(in crate::gui::pictures) fn follow(&mut self, model: &mut Model, points: DVec2, pixels: DVec2) -> bool {
+    pub(in crate::gui::views) fn follow(&mut self, model: &mut Model, points: DVec2, pixels: DVec2) -> bool {
         if std::mem::replace(&mut self.gone, points) == points {
             return false;
         }
@@ -61,7 +61,7 @@ impl CameraDrag {
     }
 
     /// True if it pans.
-    pub(in crate::gui::pictures) fn is_pan(&self) -> bool {
+    pub(in crate::gui::views) fn is_pan(&self) -> bool {
         self.pans.is_some()
     }
 }
@@ -81,7 +81,7 @@ fn orbited(start: &Camera, points: DVec2) -> Parameters {
 }
 
 /// The wheel over the image: nearer, or, in parallel projection, enlarged.
-pub(in crate::gui::pictures) fn dollied(camera: &Camera, factor: f64) -> Operation {
+pub(in crate::gui::views) fn dollied(camera: &Camera, factor: f64) -> Operation {
     match camera.projection() {
         Projection::Perspective => Operation::Dolly(factor),
         Projection::Parallel => Operation::Zoom(factor),

@@ -68,23 +68,23 @@ impl PictureRect {
 
 /// A picture in tiles no larger than a texture may be.
 #[derive(Clone)]
-pub(super) struct Tiles {
+pub(super) struct TextureTiles {
     /// Width and height in pixels.
     pub(super) size: [usize; 2],
-    tiles: Vec<Tile>,
+    tiles: Vec<TextureTile>,
 }
 
 /// A part of a picture.
 #[derive(Clone)]
-struct Tile {
+struct TextureTile {
     /// Left and top in the picture, in pixels.
     place: [usize; 2],
     image: Arc<ColorImage>,
     /// The pixels that another image needs to become this one, and that image.
-    since: Option<(Arc<ColorImage>, Changed)>,
+    since: Option<(Arc<ColorImage>, ChangedTiles)>,
 }
 
-impl Tiles {
+impl TextureTiles {
     /// Cuts a picture into tiles.
     pub(super) fn of(picture: &Pixels, max_side: usize) -> Self {
         Self::cut([picture.width() as usize, picture.height() as usize], picture.rgba(), max_side)
@@ -107,7 +107,7 @@ impl Tiles {
                     }
                     ColorImage::from_rgba_premultiplied([w, h], &part)
                 };
-                tiles.push(Tile { place: [left, top], image: Arc::new(image), since: None });
+                tiles.push(TextureTile { place: [left, top], image: Arc::new(image), since: None });
             }
         }
         Self { size: [width, height], tiles }
@@ -122,7 +122,7 @@ impl Tiles {
     /// thread that draws the picture has more time than the one that shows it.
     pub(super) fn since(mut self, images: &[Arc<ColorImage>]) -> Self {
         for (tile, image) in self.tiles.iter_mut().zip(images) {
-            tile.since = Some((Arc::clone(image), Changed::between(image, &tile.image)));
+            tile.since = Some((Arc::clone(image), ChangedTiles::between(image, &tile.image)));
         }
         self
     }
@@ -151,16 +151,16 @@ struct PlacedTile {
 impl PlacedTile {
     /// Shows another tile. Only the changed pixels go to the texture, since uploading them costs as much as drawing
     /// them.
-    fn show(&mut self, Tile { place, image, since }: Tile) {
+    fn show(&mut self, TextureTile { place, image, since }: TextureTile) {
         self.place = place;
         let changed = match since {
             Some((from, changed)) if Arc::ptr_eq(&from, &self.image) => changed,
-            _ => Changed::between(&self.image, &image),
+            _ => ChangedTiles::between(&self.image, &image),
         };
         match changed {
-            Changed::Nothing => {}
-            Changed::Part { corner, pixels } => self.texture.set_partial(corner, pixels, OPTIONS),
-            Changed::All => self.texture.set(Arc::clone(&image), OPTIONS),
+            ChangedTiles::Nothing => {}
+            ChangedTiles::Part { corner, pixels } => self.texture.set_partial(corner, pixels, OPTIONS),
+            ChangedTiles::All => self.texture.set(Arc::clone(&image), OPTIONS),
         }
         self.image = image;
     }
@@ -168,7 +168,7 @@ impl PlacedTile {
 
 /// The difference between two pictures.
 #[derive(Clone, Debug, PartialEq)]
-enum Changed {
+enum ChangedTiles {
     Nothing,
     /// No change outside a rectangle. Holds its upper left corner, and its pixels.
     Part {
@@ -179,7 +179,7 @@ enum Changed {
     All,
 }
 
-impl Changed {
+impl ChangedTiles {
     fn between(from: &ColorImage, to: &ColorImage) -> Self {
         let [width, height] = to.size;
         if from.size != to.size || width == 0 {
@@ -217,9 +217,9 @@ struct Fading {
 
 impl PictureTexture {
     /// Takes a new picture. Reuses the textures if their number is the same.
-    pub(super) fn set(&mut self, ctx: &Context, name: &str, picture: Option<Tiles>) {
+    pub(super) fn set(&mut self, ctx: &Context, name: &str, picture: Option<TextureTiles>) {
         self.failed = picture.is_none();
-        let Some(Tiles { size, tiles }) = picture else { return };
+        let Some(TextureTiles { size, tiles }) = picture else { return };
         self.size = size;
         self.tiles.truncate(tiles.len());
         for (i, tile) in tiles.into_iter().enumerate() {
@@ -227,7 +227,7 @@ impl PictureTexture {
                 placed.show(tile);
                 continue;
             }
-            let Tile { place, image, .. } = tile;
+            let TextureTile { place, image, .. } = tile;
             let texture = ctx.load_texture(name, Arc::clone(&image), OPTIONS);
             self.tiles.push(PlacedTile { place, image, texture });
         }
@@ -290,10 +290,10 @@ mod tests {
         let (width, height) = (7_u8, 5_u8);
         let rgba: Vec<u8> = (0..width * height).flat_map(|i| [i % width, i / width, 0, 255]).collect();
         for max_side in [2, 3, 5, 7, 100] {
-            let Tiles { size, tiles } = Tiles::cut([7, 5], &rgba, max_side);
+            let TextureTiles { size, tiles } = TextureTiles::cut([7, 5], &rgba, max_side);
             assert_eq!(size, [7, 5]);
             let mut seen = [0; 35];
-            for Tile { place: [left, top], image, .. } in &tiles {
+            for TextureTile { place: [left, top], image, .. } in &tiles {
                 assert!(image.size[0] <= max_side && image.size[1] <= max_side);
                 for (k, pixel) in image.pixels.iter().enumerate() {
                     let (x, y) = (left + k % image.size[0], top + k / image.size[0]);
@@ -323,17 +323,20 @@ mod tests {
         ] {
             for [from, to] in [[&grey, &picture([40, 30], black)], [&picture([40, 30], black), &grey]] {
                 let pixels = Arc::new(to.region_by_pixels(corner, size));
-                assert_eq!(Changed::between(from, to), Changed::Part { corner, pixels });
+                assert_eq!(ChangedTiles::between(from, to), ChangedTiles::Part { corner, pixels });
             }
         }
-        assert_eq!(Changed::between(&grey, &grey), Changed::Nothing);
-        assert_eq!(Changed::between(&grey, &picture([40, 30], &[[0, 0], [39, 29]])), Changed::All);
-        assert_eq!(Changed::between(&grey, &picture([30, 40], &[])), Changed::All);
-        assert_eq!(Changed::between(&picture([0, 0], &[]), &picture([0, 0], &[])), Changed::All);
+        assert_eq!(ChangedTiles::between(&grey, &grey), ChangedTiles::Nothing);
+        assert_eq!(ChangedTiles::between(&grey, &picture([40, 30], &[[0, 0], [39, 29]])), ChangedTiles::All);
+        assert_eq!(ChangedTiles::between(&grey, &picture([30, 40], &[])), ChangedTiles::All);
+        assert_eq!(ChangedTiles::between(&picture([0, 0], &[]), &picture([0, 0], &[])), ChangedTiles::All);
     }
 
-    fn tiles(size: [usize; 2], black: &[[usize; 2]]) -> Tiles {
-        Tiles { size, tiles: vec![Tile { place: [0, 0], image: Arc::new(picture(size, black)), since: None }] }
+    fn tiles(size: [usize; 2], black: &[[usize; 2]]) -> TextureTiles {
+        TextureTiles {
+            size,
+            tiles: vec![TextureTile { place: [0, 0], image: Arc::new(picture(size, black)), since: None }],
+        }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use eframe::egui::{CursorIcon, EventFilter, Id, Key, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec2;
 
-use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::views::{Canvas, Pane};
 use crate::views::{Request, Side};
 use camera_lab_desk::Model;
 use camera_lab_words::window::compare as words;
@@ -16,17 +16,17 @@ const STEPS: [f64; 2] = [0.02, 0.1];
 
 impl Pane {
     /// The side of a compared picture at a place. `None` if there is no comparison.
-    pub(in crate::gui::pictures) fn side(&self, pointer: Pos2) -> Option<Side> {
+    pub(in crate::gui::views) fn side(&self, pointer: Pos2) -> Option<Side> {
         self.request.side_at(self.rect.pixel(pointer).x)
     }
 
     /// The picture at a place, and the place in its pixels. For a compared one, the side at that place.
-    pub(in crate::gui::pictures) fn under(&self, pointer: Pos2) -> (Request, DVec2) {
+    pub(in crate::gui::views) fn under(&self, pointer: Pos2) -> (Request, DVec2) {
         self.side_of(self.rect.pixel(pointer))
     }
 
     /// As [`under`](Self::under), for a place in the pixels of the whole picture.
-    pub(in crate::gui::pictures) fn side_of(&self, pixel: DVec2) -> (Request, DVec2) {
+    pub(in crate::gui::views) fn side_of(&self, pixel: DVec2) -> (Request, DVec2) {
         match self.request.side_at(pixel.x) {
             Some(side) => (side.request, pixel - DVec2::X * f64::from(side.left)),
             None => (self.request.clone(), pixel),
@@ -34,7 +34,7 @@ impl Pane {
     }
 
     /// True if the picture shows the figure's own camera in its full size, so that the camera can be dragged there.
-    pub(in crate::gui::pictures) fn is_own(&self, pointer: Pos2) -> bool {
+    pub(in crate::gui::views) fn is_own(&self, pointer: Pos2) -> bool {
         self.side(pointer)
             .is_none_or(|side| side.request.size == self.request.size && side.request.camera == self.request.camera)
     }
@@ -42,7 +42,7 @@ impl Pane {
 
 impl Canvas {
     /// Shows the wiper of each picture that has one, and lets pointer and keys move it.
-    pub(in crate::gui::pictures) fn wipers(ui: &Ui, model: &mut Model, panes: &[Pane]) {
+    pub(in crate::gui::views) fn wipers(ui: &Ui, model: &mut Model, panes: &[Pane]) {
         for pane in panes {
             let Some(compared) = pane.request.shot.compared.as_ref().filter(|compared| !compared.comparison.beside)
             else {

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use super::texture::Tiles;
+use super::texture::TextureTiles;
 use crate::clock;
 use crate::gui::kit::frames;
 use crate::picture::{Pixels, RenderReport, Renderer};
@@ -31,7 +31,7 @@ pub(super) struct RenderJob {
 
 /// A picture that has been drawn.
 pub(super) struct Rendered {
-    pub(super) tiles: Tiles,
+    pub(super) tiles: TextureTiles,
     /// Its render report, if requested.
     pub(super) account: Option<RenderReport>,
     /// A shortfall of the picture.
@@ -115,9 +115,9 @@ struct Turn {
 }
 
 /// A running job, until it's dropped.
-struct RunningJob<'a>(&'a Turn);
+struct RunningRender<'a>(&'a Turn);
 
-impl Drop for RunningJob<'_> {
+impl Drop for RunningRender<'_> {
     fn drop(&mut self) {
         self.0.drawing.fetch_sub(1, Ordering::Relaxed);
     }
@@ -135,7 +135,7 @@ fn work(turn: Arc<Turn>, shadow_maps: &ShadowMaps) -> impl AsyncFnMut(RenderJob,
         let _beside = (!job.accounted).then(|| turn.lock.read().unwrap_or_else(PoisonError::into_inner));
         let waited = clock::now().saturating_sub(asked);
         let before = turn.drawing.fetch_add(1, Ordering::Relaxed) + 1;
-        let _under_way = RunningJob(&turn);
+        let _under_way = RunningRender(&turn);
         let RenderJob { picture, mut request, draft, max_side, accounted } = job;
         if draft {
             request = request.with_shot(|shot| shot.look.style.antialias = crate::appearance::Samples::One);
@@ -151,7 +151,7 @@ fn work(turn: Arc<Turn>, shadow_maps: &ShadowMaps) -> impl AsyncFnMut(RenderJob,
         };
         let together = before.max(turn.drawing.load(Ordering::Relaxed));
         let rendered = account.map(|account| {
-            let tiles = Tiles::of(pixels, max_side).since(&last[picture]);
+            let tiles = TextureTiles::of(pixels, max_side).since(&last[picture]);
             last[picture] = tiles.images();
             Rendered {
                 tiles,

@@ -7,12 +7,12 @@ use glam::DVec2;
 use super::camera_drag::CameraDrag;
 use super::followed::PointDrag;
 use crate::figure::Observer;
-use crate::gui::pictures::arrange::orbit;
-use crate::gui::pictures::labels::label_drag::LabelDrag;
-use crate::gui::pictures::pointer::handle_drag::{self, HandleDrag};
-use crate::gui::pictures::pointer::selection_gizmo::Movable;
-use crate::gui::pictures::status::Status;
-use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::views::arrange::orbit;
+use crate::gui::views::labels::label_drag::LabelDrag;
+use crate::gui::views::pointer::handle_drag::{self, HandleDrag};
+use crate::gui::views::pointer::selection_gizmo::Movable;
+use crate::gui::views::status::Status;
+use crate::gui::views::{Canvas, Pane};
 use crate::numbers::power_of_ten;
 use crate::scene::SceneSpec;
 use crate::views::handles::handle_at;
@@ -24,10 +24,10 @@ use camera_lab_words::window::canvas::CanvasTexts;
 use camera_lab_words::window::scenes;
 
 /// Distance within which the pointer catches a part of the gizmo, in points.
-pub(in crate::gui::pictures) const GIZMO_REACH: f32 = 7.0;
+pub(in crate::gui::views) const GIZMO_REACH: f32 = 7.0;
 
 /// A drag of the pointer in a picture.
-pub(in crate::gui::pictures) enum Drag {
+pub(in crate::gui::views) enum Drag {
     /// The eye of a three-dimensional picture turns. Holds the former observers, also of the pictures that turn with
     /// it, by picture.
     Orbit(Vec<Option<Observer>>),
@@ -46,7 +46,7 @@ pub(in crate::gui::pictures) enum Drag {
 }
 
 /// A held part of the gizmo.
-pub(in crate::gui::pictures) struct GizmoDrag {
+pub(in crate::gui::views) struct GizmoDrag {
     /// Its state when it was taken, and the scene with it.
     movable: Movable,
     before: SceneSpec,
@@ -58,7 +58,7 @@ pub(in crate::gui::pictures) struct GizmoDrag {
 }
 
 impl Canvas {
-    pub(in crate::gui::pictures) fn drag(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) {
+    pub(in crate::gui::views) fn drag(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) {
         let (origin, pointer) = ui.input(|i| (i.pointer.press_origin(), i.pointer.latest_pos()));
         if pane.response.drag_started()
             && let Some(origin) = origin
@@ -176,7 +176,7 @@ impl Canvas {
     }
 
     /// The pictures whose observers turn together with this one.
-    pub(in crate::gui::pictures) fn turning_with(&self, picture: usize, model: &Model) -> Vec<usize> {
+    pub(in crate::gui::views) fn turning_with(&self, picture: usize, model: &Model) -> Vec<usize> {
         let turns =
             |(i, other): &(usize, &Picture)| *i == picture || (model.layout.linked && other.kind != View::Image);
         self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
@@ -198,7 +198,7 @@ impl Canvas {
     }
 
     /// Restores the state before the press.
-    pub(in crate::gui::pictures) fn give_up(&mut self, model: &mut Model) {
+    pub(in crate::gui::views) fn give_up(&mut self, model: &mut Model) {
         match self.drag.take() {
             None => {}
             Some((picture, Drag::Orbit(pressed))) => self.turn_with(model, picture, &pressed, |pressed| pressed),
@@ -211,13 +211,7 @@ impl Canvas {
         }
     }
 
-    pub(in crate::gui::pictures) fn say_drag(
-        &mut self,
-        ui: &Ui,
-        model: &Model,
-        status: &mut Status,
-        texts: &CanvasTexts,
-    ) {
+    pub(in crate::gui::views) fn say_drag(&mut self, ui: &Ui, model: &Model, status: &mut Status, texts: &CanvasTexts) {
         let digits = model.settings.digits.min(6);
         match &self.drag {
             None => {}
@@ -276,14 +270,14 @@ impl Canvas {
 }
 
 /// Shows the lines beside the pointer and in the status line.
-pub(in crate::gui::pictures) fn tell(ui: &Ui, status: &mut Status, lines: &[String], cursor: CursorIcon) {
+pub(in crate::gui::views) fn tell(ui: &Ui, status: &mut Status, lines: &[String], cursor: CursorIcon) {
     status.message = lines.join(" · ");
     tooltip(ui, lines);
     ui.set_cursor_icon(cursor);
 }
 
 /// A note beside the pointer.
-pub(in crate::gui::pictures) fn tooltip(ui: &Ui, lines: &[String]) {
+pub(in crate::gui::views) fn tooltip(ui: &Ui, lines: &[String]) {
     let id = ui.scope_id().with("handle");
     Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, PopupAnchor::Pointer).gap(16.0).show(|ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
@@ -300,7 +294,7 @@ fn snap_length(model: &Model) -> f64 {
 }
 
 /// The transform of the selection that the gizmo changes, and the way to drag it.
-pub(in crate::gui::pictures) fn gizmo_lines(model: &Model, digits: usize) -> [String; 2] {
+pub(in crate::gui::views) fn gizmo_lines(model: &Model, digits: usize) -> [String; 2] {
     let t = scenes::texts(model.settings.lang);
     let Some(movable) = Movable::selected(model) else { return Default::default() };
     let (symbol, value, hint) = match (movable.is_light(), movable.gizmo.does) {

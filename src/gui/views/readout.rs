@@ -3,9 +3,10 @@
 use glam::{DVec2, DVec3};
 
 use crate::camera::Projected;
-use crate::gui::pictures::pointer::handle_drag::point;
-use crate::gui::pictures::pointer::picking::{Depths, pixel_of};
-use crate::gui::pictures::pointer::vertex_name::VertexName;
+use crate::gui::views::pointer::handle_drag::point;
+use crate::gui::views::pointer::keyboard_probe::pixel_of;
+use crate::gui::views::pointer::picking::Depths;
+use crate::gui::views::pointer::vertex_name::VertexName;
 use crate::numbers::{DecimalMark, significant};
 use crate::pipeline::clip_parts;
 use crate::sanitize::escaped;

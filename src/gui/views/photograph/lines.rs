@@ -9,9 +9,9 @@ use glam::DVec2;
 
 use crate::appearance::Rgba;
 use crate::camera::{PhotographCamera, WorldAxis};
-use crate::gui::pictures::image_place::ImagePlace;
-use crate::gui::pictures::labels::label_drag::arrow_of;
-use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::views::image_place::ImagePlace;
+use crate::gui::views::labels::label_drag::arrow_of;
+use crate::gui::views::{Canvas, Pane};
 use crate::views::{Palette, View};
 use camera_lab_desk::settings::Settings;
 use camera_lab_desk::{Drawn, Grip, Model, PhotographTool, SHORTEST};
@@ -26,7 +26,7 @@ const FAST: f64 = 10.0;
 
 impl Canvas {
     /// Shows the lines while the tool is open, and lets pointer and keys draw and move them.
-    pub(in crate::gui::pictures) fn photograph_lines(ui: &Ui, model: &mut Model, panes: &[Pane]) {
+    pub(in crate::gui::views) fn photograph_lines(ui: &Ui, model: &mut Model, panes: &[Pane]) {
         // Two images side by side have no place for them.
         let shows = |pane: &&Pane| {
             let compared = pane.request.shot.compared.as_ref();

@@ -9,11 +9,11 @@ use crate::views::{Request, Size, View};
 use camera_lab_desk::ObserverChange;
 
 /// Degrees of orbit for one point of pointer motion.
-pub(in crate::gui::pictures) const DEGREES_PER_POINT: f64 = 0.5;
+pub(in crate::gui::views) const DEGREES_PER_POINT: f64 = 0.5;
 
 /// The observer requested by a button of the toolbar or a key, from the present one. `None` if the figure doesn't set
 /// one any more, so that [`Auto`](super::auto_observer::Auto) applies.
-pub(in crate::gui::pictures) fn changed(request: &Request, change: ObserverChange) -> Option<Observer> {
+pub(in crate::gui::views) fn changed(request: &Request, change: ObserverChange) -> Option<Observer> {
     match change {
         ObserverChange::From(Viewpoint::Iso) => None,
         ObserverChange::From(viewpoint) => request.observer_from(viewpoint),
@@ -23,19 +23,19 @@ pub(in crate::gui::pictures) fn changed(request: &Request, change: ObserverChang
 
 /// The observer after the pointer moved by `motion` points from the one at the press, `pressed`. The picture follows
 /// the pointer.
-pub(in crate::gui::pictures) fn orbited(pressed: Observer, motion: Vec2) -> Observer {
+pub(in crate::gui::views) fn orbited(pressed: Observer, motion: Vec2) -> Observer {
     pressed.orbit(f64::from(motion.x) * DEGREES_PER_POINT, f64::from(motion.y) * DEGREES_PER_POINT)
 }
 
 /// Moves nearer by `factor` so that the point at `pointer` (pixels) stays there.
-pub(in crate::gui::pictures) fn zoomed_at(observer: Observer, factor: f64, pointer: DVec2, size: Size) -> Observer {
+pub(in crate::gui::views) fn zoomed_at(observer: Observer, factor: f64, pointer: DVec2, size: Size) -> Observer {
     let from_center = pointer - DVec2::new(f64::from(size.width), f64::from(size.height)) / 2.0;
     let shift = from_center * (1.0 - factor);
     observer.zoom(factor).pan(shift.x, shift.y, size.smaller_side())
 }
 
 /// Writes the observer of a picture into a figure. The image has none.
-pub(in crate::gui::pictures) fn set(observers: &mut Observers, view: View, observer: Option<Observer>) {
+pub(in crate::gui::views) fn set(observers: &mut Observers, view: View, observer: Option<Observer>) {
     match view {
         View::World => observers.world = observer,
         View::Canonical => observers.canonical = observer,

@@ -10,7 +10,7 @@ use crate::figure::labels::{LEGEND, Labels, is_in_legend, note_index, set_text};
 use crate::figure::words::{DIMENSIONS, value};
 use crate::figure::{Letters, Measure, MeasureText};
 use crate::gui::kit::{Explained, TextField, text_field, theme};
-use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::views::{Canvas, Pane};
 use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
 use crate::sanitize::escaped;
 use crate::text::{Face, face};
@@ -24,7 +24,7 @@ const LARGER: f64 = 1.25;
 
 impl Canvas {
     /// Shows the card while the mode is on. The user can move it.
-    pub(in crate::gui::pictures) fn labels_card(&self, ui: &Ui, model: &mut Model, panes: &[Pane]) {
+    pub(in crate::gui::views) fn labels_card(&self, ui: &Ui, model: &mut Model, panes: &[Pane]) {
         model.label_mode.is_typing = false;
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b));
         let Some(room) = room.filter(|_| model.label_mode.on) else { return };

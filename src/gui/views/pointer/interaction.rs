@@ -4,16 +4,16 @@ use eframe::egui::{self, Event, EventFilter, Key, Modifiers, PointerButton, Ui, 
 use glam::DVec2;
 
 use super::held::{GIZMO_REACH, gizmo_lines, tell};
-use super::keyboard_probe::{ProbeStep, Probing};
-use super::picking::{self, PickQuery, PickRequest, pixel_of};
+use super::keyboard_probe::{ProbeStep, Probing, pixel_of};
+use super::picking::{self, PickQuery, PickRequest};
 use super::probe_steps::Click;
 use super::{camera_drag, followed, handle_drag};
 use crate::camera::{Convention, Operation};
 use crate::geometry::Angle;
-use crate::gui::pictures::arrange::orbit;
-use crate::gui::pictures::labels::label_drag::arrow_of;
-use crate::gui::pictures::status::Status;
-use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
+use crate::gui::views::arrange::orbit;
+use crate::gui::views::labels::label_drag::arrow_of;
+use crate::gui::views::status::Status;
+use crate::gui::views::{Canvas, Pane, readout, toggle_maximized};
 use crate::sanitize::escaped;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
@@ -33,7 +33,7 @@ const STEP_FACTOR: f64 = 1.1;
 
 impl Canvas {
     /// Handles pointer and keys. Returns the status lines.
-    pub(in crate::gui::pictures) fn interact(
+    pub(in crate::gui::views) fn interact(
         &mut self,
         ui: &Ui,
         model: &mut Model,
@@ -366,7 +366,7 @@ fn keys_hint(view: View, texts: &CanvasTexts) -> &'static str {
 impl Canvas {
     /// Lets two fingers move and zoom a three-dimensional picture. True while they are on it. Takes back the action
     /// that the first finger had begun before the second came, because it wasn't meant.
-    pub(in crate::gui::pictures) fn fingers(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) -> bool {
+    pub(in crate::gui::views) fn fingers(&mut self, ui: &Ui, model: &mut Model, pane: &Pane) -> bool {
         let touch = ui.input(|input| input.multi_touch());
         let Some(touch) = touch.filter(|touch| pane.rect.rect.contains(touch.start_pos)) else { return false };
         if self.drag.is_some() {

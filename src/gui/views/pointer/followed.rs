@@ -3,15 +3,15 @@
 use eframe::egui::Context;
 use glam::{DVec2, DVec3};
 
-use crate::gui::pictures::Pane;
-use crate::gui::pictures::pointer::handle_drag;
+use crate::gui::views::Pane;
+use crate::gui::views::pointer::handle_drag;
 use crate::sanitize::escaped;
 use crate::views::{Request, named_points};
 use camera_lab_desk::Model;
 use camera_lab_words::why::explain_point;
 
 /// A held point.
-pub(in crate::gui::pictures) struct PointDrag {
+pub(in crate::gui::views) struct PointDrag {
     index: usize,
     before: DVec3,
     /// The picture and the pointer (pixels) from which the motion is measured.
@@ -21,14 +21,14 @@ pub(in crate::gui::pictures) struct PointDrag {
 
 impl PointDrag {
     /// Takes the point at `from` (pixels), if one is there.
-    pub(in crate::gui::pictures) fn taken(pressed: Request, from: DVec2, pane: &Pane) -> Option<Self> {
+    pub(in crate::gui::views) fn taken(pressed: Request, from: DVec2, pane: &Pane) -> Option<Self> {
         let index = named_points::point_at(&pressed, from, pane.rect.pixels(handle_drag::REACH))?;
         let before = pressed.shot.points.get(index)?.position;
         Some(Self { index, before, pressed, from })
     }
 
     /// The point follows the pointer (pixels).
-    pub(in crate::gui::pictures) fn follow(&self, model: &mut Model, to: DVec2, ctx: &Context) {
+    pub(in crate::gui::views) fn follow(&self, model: &mut Model, to: DVec2, ctx: &Context) {
         let Some(moved) = named_points::dragged(&self.pressed, self.before, self.from, to) else { return };
         let Some(point) = model.desk.shown.figure().points.get(self.index) else { return };
         if point.position == moved {
@@ -43,18 +43,18 @@ impl PointDrag {
     }
 
     /// Puts it back in its former place.
-    pub(in crate::gui::pictures) fn give_up(&self, model: &mut Model) {
+    pub(in crate::gui::views) fn give_up(&self, model: &mut Model) {
         model.move_point(self.index, self.before);
     }
 
     /// Its position, and the way to drag it.
-    pub(in crate::gui::pictures) fn lines(&self, model: &Model) -> Vec<String> {
+    pub(in crate::gui::views) fn lines(&self, model: &Model) -> Vec<String> {
         lines(self.index, model)
     }
 }
 
 /// The point under the pointer, and its status lines.
-pub(in crate::gui::pictures) fn hovered(
+pub(in crate::gui::views) fn hovered(
     request: &Request,
     pointer: DVec2,
     pane: &Pane,

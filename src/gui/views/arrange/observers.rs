@@ -5,13 +5,13 @@ use eframe::egui::Ui;
 use super::auto_observer::Moment;
 use super::orbit;
 use crate::figure::Observer;
-use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::views::{Canvas, Pane};
 use crate::views::{View, observer_in};
 use camera_lab_desk::{Message, Model, ObserverChange};
 
 impl Canvas {
     /// Decides the observers of the three-dimensional pictures in this frame.
-    pub(in crate::gui::pictures) fn settle_observers(&mut self, ui: &Ui, model: &mut Model, panes: &mut [Pane]) {
+    pub(in crate::gui::views) fn settle_observers(&mut self, ui: &Ui, model: &mut Model, panes: &mut [Pane]) {
         let wanted = model.frame.observer_change.take();
         let asked = self.asked.take();
         let moment = Moment {
@@ -43,7 +43,7 @@ impl Canvas {
     }
 
     /// The observer of a picture.
-    pub(in crate::gui::pictures) fn seen(&self, picture: usize) -> Option<Observer> {
+    pub(in crate::gui::views) fn seen(&self, picture: usize) -> Option<Observer> {
         self.shot.pictures.get(picture)?.observer
     }
 
@@ -74,7 +74,7 @@ impl Canvas {
     }
 
     /// Looks at a picture from somewhere else.
-    pub(in crate::gui::pictures) fn turn(&mut self, model: &mut Model, picture: usize, observer: Observer) {
+    pub(in crate::gui::views) fn turn(&mut self, model: &mut Model, picture: usize, observer: Observer) {
         let Some(turned) = self.shot.pictures.get_mut(picture) else { return };
         turned.observer = Some(observer);
         orbit::set(model.desk.shown.observers_mut(), turned.kind, Some(observer));
