@@ -7,7 +7,6 @@ use similar::algorithms::{Capture, Compact, Replace, myers};
 use web_time::Instant;
 
 use crate::limits::MAX_COMPARED_LINES;
-use crate::sanitize;
 
 /// Equal lines shown around differing ones.
 const AROUND: usize = 2;
@@ -70,7 +69,7 @@ impl LineComparison {
 
 /// The displayed part of a line, without its end.
 fn shown(line: &str) -> String {
-    sanitize::printable(&line.trim_end_matches(['\r', '\n']).replace('\t', "    "))
+    crate::sanitize::printable(&line.trim_end_matches(['\r', '\n']).replace('\t', "    "))
 }
 
 #[cfg(test)]

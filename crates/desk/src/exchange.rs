@@ -1,10 +1,8 @@
 //! Values that the parts of the window exchange from frame to frame.
 
 use crate::action::Action;
-use crate::camera::Camera;
 use crate::figure::{Observers, TransformPreview};
 use crate::layout::ObserverChange;
-use crate::pipeline::StageReport;
 use crate::shown::{OpenPanels, PanelHover};
 use crate::views::{Probe, View};
 
@@ -47,7 +45,7 @@ pub struct Exchange {
     /// The camera that an answer describes.
     ///
     /// *Set by* the exercises. *Read by* the views. *Lives* for a frame.
-    pub answered: Option<Camera>,
+    pub answered: Option<crate::camera::Camera>,
     /// Objects in the places where the explanation of order puts them.
     ///
     /// *Set by* the explanation of order. *Read by* the views. *Lives* for a frame.
@@ -59,7 +57,7 @@ pub struct Exchange {
     /// The report of the strip's view, stage by stage.
     ///
     /// *Set by* the views while the stages are explained. *Read by* their explanation. *Lives* until it changes.
-    pub reports: Vec<StageReport>,
+    pub reports: Vec<crate::pipeline::StageReport>,
 }
 
 impl Default for Exchange {

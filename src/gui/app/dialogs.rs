@@ -19,7 +19,6 @@ use crate::gui::inspector::{coach, compare_dialog, scene};
 use crate::gui::kit::{CANCEL, Command, Explained, Pressed, TextField, buttons, complaint, text_field, theme, written};
 use crate::gui::learn::{Learn, handout, lesson};
 use crate::gui::platform::native::Wanted;
-use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
 use camera_lab_desk::desk::Reply;
@@ -396,7 +395,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         (false, false) => (t.path_text, t.path_hint),
     };
     ui.label(which);
-    let field = TextField::line(&mut path, MAX_TYPED);
+    let field = TextField::line(&mut path, crate::limits::MAX_TYPED);
     let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(hint));
     let response = field.show(ui, state.model.settings.lang).accessible_name(t.path_name);
     if first {

@@ -33,7 +33,6 @@ use crate::gui::app::state::State;
 use crate::gui::export::{ExportKind, Exporting, Task, save_chart};
 use crate::gui::kit::frames;
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
-use crate::picture::file_beside;
 use crate::scene::Shape;
 use crate::scene::import::MESH_ENDINGS;
 use camera_lab_desk::desk::{Losses, Need, Reply};
@@ -216,7 +215,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
 pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
     let writes_pictures =
         matches!(purpose, Purpose::Export(_) | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_)));
-    let beside = file_beside(path).filter(|_| writes_pictures);
+    let beside = crate::picture::file_beside(path).filter(|_| writes_pictures);
     std::iter::once(path.to_owned()).chain(beside).filter(|path| disk::may_exist(path)).collect()
 }
 

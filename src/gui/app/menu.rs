@@ -7,7 +7,6 @@ use crate::gui::app::state::State;
 use crate::gui::app::status;
 use crate::gui::kit::{Command, Explained, elide, with_room_before, written};
 use crate::gui::learn::Learn;
-use crate::sanitize::escaped;
 use camera_lab_desk::Model;
 use camera_lab_words::window::{self, Texts};
 
@@ -154,7 +153,7 @@ fn switch(
 }
 
 fn title(ui: &mut egui::Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut Option<Command>) {
-    let name = escaped(&model.figure_name());
+    let name = crate::sanitize::escaped(&model.figure_name());
     let is_marked = learn.is_marked(model);
     let text = if is_marked { format!("{name} •") } else { name };
     for command in [Command::Gallery, Command::Search] {

@@ -34,7 +34,6 @@ use crate::gui::kit::{Command, Focus, text_field, theme};
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gui::platform::window_size::{Opening, Whereabouts};
 use crate::gui::views::Canvas;
-use crate::sanitize;
 use camera_lab_desk::{Keeping, Message, Restored, Sessions};
 
 /// The window's program.
@@ -211,7 +210,7 @@ impl App {
     fn update_title(&mut self, ctx: &egui::Context) {
         let name = self.state.model.figure_name();
         let mark = if self.state.learn.is_marked(&self.state.model) { " •" } else { "" };
-        let title = format!("{}{mark} – Camera Lab", sanitize::escaped(&name));
+        let title = format!("{}{mark} – Camera Lab", crate::sanitize::escaped(&name));
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;

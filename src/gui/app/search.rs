@@ -17,9 +17,7 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::list;
 use crate::gui::why;
 use crate::lessons::{OpenLesson, shipped};
-use crate::limits::MAX_TYPED_NAME;
 use camera_lab_desk::{Intent, Memo, Model, ObserverChange, Side, Tab};
-use camera_lab_files::SHIPPED_FIGURES;
 use camera_lab_words::learn::exercises as exercise_words;
 use camera_lab_words::why::{explain as explain_words, notes};
 use camera_lab_words::window::search::{also_called, folded, has_words};
@@ -214,7 +212,7 @@ fn entries(model: &Model, learn: &Learn) -> Vec<SearchEntry> {
         let about = explain_words::matrix(lang, matrix);
         all.push(SearchEntry::new(SearchTarget::Matrix(matrix), explain_words::texts(lang).matrices, title, about));
     }
-    for figure in &SHIPPED_FIGURES {
+    for figure in &camera_lab_files::SHIPPED_FIGURES {
         let [title, about] = figure.told().map(|text| told(lang, &text).to_owned());
         all.push(SearchEntry::new(SearchTarget::Figure(figure.name), t.figure, title, about));
     }
@@ -308,7 +306,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
         (to, input.key_pressed(Key::Enter))
     });
     let moved = chosen != state.search.chosen;
-    let field = TextField::line(&mut state.search.wanted, MAX_TYPED_NAME);
+    let field = TextField::line(&mut state.search.wanted, crate::limits::MAX_TYPED_NAME);
     let field = field.with(|edit| edit.hint_text(t.field).desired_width(f32::INFINITY));
     let response = field.show(ui, lang).accessible_name(t.title);
     if first {

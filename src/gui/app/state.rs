@@ -1,7 +1,6 @@
 //! The whole state of the window: the model, and the state of each feature.
 
 use crate::camera::CameraError;
-use crate::figure::Figure;
 use crate::gui::Start;
 use crate::gui::app::file_flow::link_dialog::Sharing;
 use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
@@ -50,7 +49,7 @@ pub struct State {
 
 /// The documents at the start. Operations of the command line are a change of the figure in the file, so they can be
 /// undone, and closing the window asks about them.
-fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Desk, CameraError> {
+fn begin(figure: crate::figure::Figure, file: Option<SourceFile>) -> Result<Desk, CameraError> {
     let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());
     let Some(in_file) = in_file.map(|opened| opened.figure).filter(|saved| *saved != figure) else {
         return Document::new(figure, file).map(Desk::new);

@@ -5,7 +5,6 @@ use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::FileFlow;
 use crate::gui::kit::{Explained, elide, with_room_before};
-use crate::sanitize;
 use camera_lab_desk::{Intent, Message, Model};
 use camera_lab_words::window;
 
@@ -53,7 +52,7 @@ pub fn changed_file(ui: &mut egui::Ui, model: &Model, file_flow: &mut FileFlow) 
     let changed = document.is_changed();
     egui::Panel::top("changed file").show(ui, |ui| {
         let text = if changed { t.file_changed_unsaved } else { t.file_changed };
-        let text = format!("⚠ {} {text}", sanitize::escaped(&name));
+        let text = format!("⚠ {} {text}", crate::sanitize::escaped(&name));
         let color = ui.visuals().warn_fg_color;
         let told = |ui: &mut egui::Ui| {
             ui.add(Label::new(RichText::new(&text).color(color)).truncate());

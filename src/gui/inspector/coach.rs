@@ -2,8 +2,6 @@
 
 use eframe::egui::{self, RichText, Ui};
 
-use crate::camera::ImageSize;
-use crate::figure::Explanation;
 use crate::gui::kit::{CANCEL, Explained, Pressed, buttons, theme};
 use crate::numerics::diagnosis::{IN_A_WINDOW, Repair, changes};
 use crate::numerics::health::Level;
@@ -44,7 +42,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, model: &mut Model, first: boo
     match wish {
         Wish::Repair(repair) => model.apply_repair(repair),
         Wish::Camera(camera) => model.apply_camera(camera),
-        Wish::Depth => model.show_explanation(Explanation::Depth),
+        Wish::Depth => model.show_explanation(crate::figure::Explanation::Depth),
     }
     ui.request_repaint();
     false
@@ -67,7 +65,7 @@ fn findings(ui: &mut Ui, model: &Model, advice: &Advice, wish: &mut Option<Wish>
         ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
     }
     if diagnosis.findings.is_empty() {
-        let ImageSize { width, height } = model.desk.shown.figure().image;
+        let crate::camera::ImageSize { width, height } = model.desk.shown.figure().image;
         let is_coarse = u64::from(width) * u64::from(height) > IN_A_WINDOW;
         ui.label(if is_coarse { t.no_problems_in_coarse } else { t.no_problems });
     }

@@ -1,7 +1,5 @@
 //! Fonts, sizes and colours of the window.
 
-use std::sync::Arc;
-
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
     self, Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke, Style, TextStyle, Visuals,
@@ -36,7 +34,7 @@ pub fn install_fonts(ctx: &egui::Context) {
         ("DejaVu Sans Mono", MONOSPACED_BYTES, FontFamily::Monospace),
     ];
     for (name, bytes, family) in faces {
-        fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
+        fonts.font_data.insert(name.to_owned(), std::sync::Arc::new(FontData::from_static(bytes)));
         fonts.families.entry(family).or_default().insert(0, name.to_owned());
     }
     for family in [FontFamily::Monospace, bold_family()] {

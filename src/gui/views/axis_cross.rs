@@ -3,10 +3,7 @@
 use eframe::egui::{self, Align2, Color32, Id, Pos2, Rect, Sense, Stroke, TextStyle, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 
-use crate::appearance::Theme;
-use crate::figure::Observer;
 use crate::gui::kit::Explained;
-use crate::views::Palette;
 use crate::views::observer::Viewpoint;
 use camera_lab_desk::ObserverChange;
 use camera_lab_words::window::canvas::CanvasTexts;
@@ -21,13 +18,19 @@ const INSET: f32 = LENGTH + END + 6.0;
 const LEAST: [f32; 2] = [260.0, 170.0];
 
 /// Draws the cross in the lower left corner of a picture. Returns the viewpoint of the clicked axis.
-pub(super) fn show(ui: &Ui, rect: Rect, observer: &Observer, t: &CanvasTexts, look: Theme) -> Option<ObserverChange> {
+pub(super) fn show(
+    ui: &Ui,
+    rect: Rect,
+    observer: &crate::figure::Observer,
+    t: &CanvasTexts,
+    look: crate::appearance::Theme,
+) -> Option<ObserverChange> {
     if rect.width() < LEAST[0] || rect.height() < LEAST[1] {
         return None;
     }
     let [right, up, towards] = observer.axes();
     let middle = rect.left_bottom() + vec2(INSET, -INSET);
-    let colors = Palette::of(look).axes;
+    let colors = crate::views::Palette::of(look).axes;
     let axes = [
         (DVec3::X, "x", Viewpoint::Side, t.side),
         (DVec3::Y, "y", Viewpoint::Top, t.top),

@@ -6,14 +6,13 @@ use crate::gui::kit::{Explained, elide, theme};
 use crate::numerics::diagnosis::Diagnosis;
 use crate::numerics::health::Level;
 use camera_lab_desk::{Advice, Model};
-use camera_lab_words::Lang;
 use camera_lab_words::window::coach as words;
 
 /// The summary of the coach.
 pub(super) struct Brief {
     text: String,
     level: Level,
-    lang: Lang,
+    lang: camera_lab_words::Lang,
 }
 
 impl Brief {

@@ -11,7 +11,6 @@ use crate::gui::kit::Explained;
 use crate::gui::views::pointer::picking::{PickQuery, PickRequest};
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::views::{Hover, Probe, Request, Shot, Size, View, pick};
-use camera_lab_desk::Model;
 use camera_lab_words::why::explain_point;
 use camera_lab_words::window::canvas::CanvasTexts;
 
@@ -77,7 +76,7 @@ impl Canvas {
         &mut self,
         (ui, room): (&Ui, Rect),
         panes: &[Pane],
-        model: &mut Model,
+        model: &mut camera_lab_desk::Model,
         status: &mut Status,
         texts: &'static CanvasTexts,
     ) {

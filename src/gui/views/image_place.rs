@@ -3,9 +3,6 @@
 use eframe::egui::{Pos2, Rect, pos2};
 use glam::DVec2;
 
-use super::Pane;
-use crate::views::image_frame;
-
 /// The place in which a pane shows the image.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ImagePlace {
@@ -18,9 +15,9 @@ pub(super) struct ImagePlace {
 impl ImagePlace {
     /// The place of the figure's own image, without a second one beside it.
     #[expect(clippy::cast_precision_loss, reason = "sides of a screen")]
-    pub(super) fn of(pane: &Pane) -> Self {
+    pub(super) fn of(pane: &super::Pane) -> Self {
         let request = &pane.request;
-        let f = image_frame(request.size, request.shot.look.image_aspect(&request.camera));
+        let f = crate::views::image_frame(request.size, request.shot.look.image_aspect(&request.camera));
         let image = request.shot.look.image;
         Self {
             frame: pane.rect.rect_of(f.x as f32, f.y as f32, f.width as f32, f.height as f32),

@@ -5,7 +5,6 @@ use std::time::Duration;
 use eframe::egui::{self, Key, Modifiers};
 
 use super::Canvas;
-use crate::sanitize;
 use camera_lab_desk::{Model, Running};
 use camera_lab_words::window::{canvas as words, progress, scenes};
 
@@ -30,10 +29,9 @@ impl LongWork {
     /// The longest-running long work.
     pub(super) fn of(canvas: &Canvas, model: &Model, of_files: &[(String, Running)]) -> Option<Self> {
         let lang = model.settings.lang;
-        let mesh = model
-            .scene_cache
-            .running()
-            .map(|(path, running)| (format!("{} {}", scenes::texts(lang).loading, sanitize::escaped(path)), running));
+        let mesh = model.scene_cache.running().map(|(path, running)| {
+            (format!("{} {}", scenes::texts(lang).loading, crate::sanitize::escaped(path)), running)
+        });
         let picture = canvas.rendering.running().and_then(|running| {
             let view = canvas.shot.pictures.get(running.slot)?.kind;
             Some((words::texts(lang).view(view).to_owned(), running))

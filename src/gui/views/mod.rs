@@ -44,14 +44,12 @@ mod status;
 mod strip;
 mod texture;
 
-use std::collections::VecDeque;
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
-use glam::DVec2;
 
 use self::arrange::{Axis, Framed, Shares, arrange, automatic};
 use self::brief::{Brief, lost_files, why_empty};
@@ -73,7 +71,6 @@ use crate::gui::views::pointer::picking::{PickRequest, Picker};
 use crate::gui::views::pointer::probe_steps::Click;
 use crate::gui::views::pointer::selection_gizmo::Movable;
 use crate::gui::views::pointer::vertex_name::VertexNames;
-use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
 use crate::views::{
     Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown, image_frame,
@@ -118,7 +115,7 @@ pub struct Canvas {
     /// The mode of the arrow keys, and its picture.
     probing: Option<(usize, Probing)>,
     /// Steps of the keys that haven't been followed yet, by picture.
-    probe_steps: VecDeque<(usize, ProbeStep)>,
+    probe_steps: std::collections::VecDeque<(usize, ProbeStep)>,
     /// The search at the pointer, and one whose result will be pinned.
     hover_pick: Option<PickRequest>,
     clicked_pick: Option<PickRequest>,
@@ -152,14 +149,14 @@ pub struct Inputs<'a> {
 }
 
 /// Takes a click in an image: its request, the pointer in pixels, and the triangle there by its object and number.
-type OnTriangle<'a> = dyn FnMut(&Context, &mut Model, &Request, DVec2, Option<(usize, u32)>) -> bool + 'a;
+type OnTriangle<'a> = dyn FnMut(&Context, &mut Model, &Request, glam::DVec2, Option<(usize, u32)>) -> bool + 'a;
 
 /// A picture on the screen, and the state that it keeps from one frame to the next.
 #[derive(Default)]
 struct ScreenPicture {
     texture: PictureTexture,
     /// The report of its rendering.
-    account: Option<RenderReport>,
+    account: Option<crate::picture::RenderReport>,
     /// The reason why there is none.
     missing: Option<Missing>,
     /// A budget that it exceeded.

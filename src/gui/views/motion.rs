@@ -1,7 +1,5 @@
 //! A step of an operation that the eye can follow. The camera moves to its end in a moment, and arrives there exactly.
 
-use std::time::Duration;
-
 use eframe::egui::{self, Event};
 
 use camera_lab_desk::Model;
@@ -42,7 +40,7 @@ pub(in crate::gui) fn show_done(ctx: &egui::Context, model: &mut Model) {
     let left = *done.since.get_or_insert(now) + SHOWN - now;
     if left > 0.0 && model.operations.scrub.is_none() {
         model.frame.hover.ghost = Some(done.ghost.clone());
-        ctx.request_repaint_after(Duration::from_secs_f64(left));
+        ctx.request_repaint_after(std::time::Duration::from_secs_f64(left));
     } else {
         model.operations.done = None;
     }

@@ -2,14 +2,12 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::camera::Projected;
 use crate::gui::views::pointer::handle_drag::point;
 use crate::gui::views::pointer::keyboard_probe::pixel_of;
 use crate::gui::views::pointer::picking::Depths;
 use crate::gui::views::pointer::vertex_name::VertexName;
 use crate::numbers::{DecimalMark, significant};
 use crate::pipeline::clip_parts;
-use crate::sanitize::escaped;
 use crate::views::depth::DepthReading;
 use crate::views::{Probe, Request};
 use camera_lab_words::window::canvas::CanvasTexts;
@@ -49,7 +47,7 @@ pub(super) fn cells(
             if look.reveal.clipping {
                 cells.extend(clipping_cells(p, request, (digits, mark), texts));
             }
-            let Some(Projected { ndc, window, pixel, viewport }) = s.projected else {
+            let Some(crate::camera::Projected { ndc, window, pixel, viewport }) = s.projected else {
                 cells.push(wanted(texts.space_ndc, texts.no_image.to_owned()));
                 return cells;
             };
@@ -120,7 +118,7 @@ fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), tex
 /// The vertex of a probe: its number, from 1, and its object.
 pub(super) fn vertex_cell(name: &VertexName, texts: &CanvasTexts) -> Cell {
     let VertexName { object, of_preset, number } = name;
-    let object = if *of_preset { preset_object(texts.lang, object) } else { escaped(object) };
+    let object = if *of_preset { preset_object(texts.lang, object) } else { crate::sanitize::escaped(object) };
     wanted(texts.vertex, format!("{number} – {object}"))
 }
 

@@ -12,10 +12,8 @@ use eframe::egui::{
 use super::icons::{Icon, icon_button};
 use crate::gui::kit::{Explained, choice, elide, help_topic};
 use crate::numbers;
-use crate::picture::RenderReport;
 use crate::pipeline::{Stage, StageReport};
 use crate::views::View;
-use camera_lab_words::Lang;
 use camera_lab_words::why::sources::with_titles;
 use camera_lab_words::why::{notes, pipeline as words};
 use camera_lab_words::window::canvas::CanvasTexts;
@@ -36,11 +34,11 @@ pub(super) enum StripAction {
 
 /// The content of the strip.
 pub(super) struct Strip<'a> {
-    pub(super) lang: Lang,
+    pub(super) lang: camera_lab_words::Lang,
     pub(super) texts: &'a CanvasTexts,
     pub(super) view: View,
     /// `None` if the picture is hidden, or hasn't been drawn yet.
-    pub(super) account: Option<&'a RenderReport>,
+    pub(super) account: Option<&'a crate::picture::RenderReport>,
     /// The picture is hidden.
     pub(super) hidden: bool,
     /// The stage displayed in the picture.

@@ -5,9 +5,7 @@ use std::sync::Arc;
 use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
 use glam::DVec2;
 
-use crate::picture::Pixels;
 use crate::views;
-use camera_lab_desk::FADE;
 
 /// One pixel of a picture is one pixel of the screen.
 const OPTIONS: TextureOptions = TextureOptions::NEAREST;
@@ -86,7 +84,7 @@ struct TextureTile {
 
 impl TextureTiles {
     /// Cuts a picture into tiles.
-    pub(super) fn of(picture: &Pixels, max_side: usize) -> Self {
+    pub(super) fn of(picture: &crate::picture::Pixels, max_side: usize) -> Self {
         Self::cut([picture.width() as usize, picture.height() as usize], picture.rgba(), max_side)
     }
 
@@ -253,7 +251,7 @@ impl PictureTexture {
     pub(super) fn paint(&mut self, ui: &Ui, place: &PictureRect) {
         paint_tiles(ui, place, self.size, &self.tiles, Color32::WHITE);
         let Some(fading) = &self.fading else { return };
-        let left = 1.0 - (ui.input(|input| input.time) - fading.began) / FADE;
+        let left = 1.0 - (ui.input(|input| input.time) - fading.began) / camera_lab_desk::FADE;
         let is_at_its_place = fading.size == place.sides();
         if left > 0.0 && is_at_its_place {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]

@@ -5,7 +5,6 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Align2, Color32, Grid, Label, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotPoints, Text, VLine};
 
-use super::compare_button;
 use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::chart::{Axis, Chart, Look, Series};
@@ -56,7 +55,7 @@ fn depth_view(ui: &mut Ui, model: &mut Model) {
     let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
     choice_row(ui, t.format, t.format_hint, &mut format, &choices);
     model.desk.shown.set(|figure| &mut figure.style.depth_format, format);
-    compare_button(ui, model);
+    super::compare_button(ui, model);
 }
 
 /// Shows the consequences of a camera. Returns one with other planes if the user wants that.

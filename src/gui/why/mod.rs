@@ -38,7 +38,6 @@ mod triangle;
 use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
 pub(super) use triangle::clicked;
 
-use crate::camera::Camera;
 use crate::explain::{Placement, Setting};
 use crate::figure::Explanation;
 use crate::gui::kit::{Explained, elide, keep_in_sight, toggle};
@@ -247,7 +246,7 @@ fn compare_button(ui: &mut Ui, model: &mut Model) {
 
 /// The numbers of the symbols, without the rest of the window.
 struct ExplainedSetting {
-    camera: Camera,
+    camera: crate::camera::Camera,
     /// The selected object, by its name.
     object: Option<(String, Placement)>,
 }

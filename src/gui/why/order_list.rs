@@ -3,14 +3,12 @@
 use eframe::egui::{
     self, CursorIcon, Key, Modifiers, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
-use glam::DVec3;
 
 use crate::explain::order::Call;
 use crate::gui::kit::{Explained, NumberField, Step, at_right, help_topic_row, theme};
 use crate::gui::why::state::order::Order;
 use camera_lab_words::why::order as words;
 use camera_lab_words::why::order::Texts;
-use camera_lab_words::window;
 
 /// Widths, in points: of the dots, of number and symbol, of a button at the right.
 const DOTS: f32 = 14.0;
@@ -147,7 +145,7 @@ fn fields(ui: &mut Ui, t: &'static Texts, call: &mut Call, key: usize) {
     let symbol = call.symbol();
     let room = ui.available_width() - BUTTONS;
     let hint = words::kind(t.lang, *call);
-    let texts = window::texts(t.lang);
+    let texts = camera_lab_words::window::texts(t.lang);
     match call {
         Call::Translate(v) | Call::Scale(v) => {
             let width = ((room - 2.0 * 3.0) / 3.0).floor().max(30.0);
@@ -156,7 +154,7 @@ fn fields(ui: &mut Ui, t: &'static Texts, call: &mut Call, key: usize) {
                 let field = NumberField::new(format!("{symbol} {axis}"), Step::Add(0.1)).of(&owner);
                 field.prefix(axis).hint(hint).width(width).show(ui, texts, component);
             }
-            *v = DVec3::from_array(components);
+            *v = glam::DVec3::from_array(components);
         }
         Call::RotateX(degrees) | Call::RotateY(degrees) | Call::RotateZ(degrees) => {
             let field = NumberField::angle(symbol, 5.0).of(&owner);

@@ -4,7 +4,6 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
 use super::{CommandRow, InBrowser, Menu};
 use crate::appearance;
-use crate::figure::Explanation;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::{Dialog, FileFlow, Purpose, TitleForm};
 use crate::gui::app::search::Search;
@@ -17,7 +16,6 @@ use crate::gui::kit::keys::Command::{self, *};
 use crate::gui::learn::Learn;
 use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::lesson::state::Playing;
-use crate::limits::MAX_CAMERAS;
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 use camera_lab_desk::settings::Settings;
@@ -184,7 +182,7 @@ pub const MENUS: &[Menu] = &[
                     let name = s.model.keep_camera();
                     s.model.say(Message::CameraKept(name));
                 })
-                .enabled(|s| s.model.desk.shown.figure().cameras.len() < MAX_CAMERAS)
+                .enabled(|s| s.model.desk.shown.figure().cameras.len() < crate::limits::MAX_CAMERAS)
                 .disabled_because(|t| cameras::texts(t.lang).full),
                 row!(SwapSides, plain(Key::F4), compare::swap, swap_command_hint, |s, _| swap(&mut s.model)),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
@@ -514,7 +512,7 @@ fn toggle_exercises(model: &mut Model, learn: &mut Learn) {
     if model.shows_exercises() && learn.exercises.was_called {
         model.settings.panels_mut().toggle(Side::Explain);
     } else {
-        model.show_explanation(Explanation::Exercises);
+        model.show_explanation(crate::figure::Explanation::Exercises);
         learn.exercises.call();
     }
 }

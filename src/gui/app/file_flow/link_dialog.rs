@@ -1,7 +1,5 @@
 //! The figure as a link: its purpose, its address, and its length.
 
-use std::collections::BTreeSet;
-
 use eframe::egui::{self, RichText};
 
 use crate::figure::Figure;
@@ -14,7 +12,6 @@ use crate::sanitize;
 use camera_lab_desk::{Memo, Message, Model};
 use camera_lab_files as files;
 use camera_lab_files::share::{self, Held, ShareError};
-use camera_lab_words::messages;
 use camera_lab_words::window::{Texts, sharing};
 
 /// The address of links, and the link that a dialog shows.
@@ -68,14 +65,14 @@ pub(in crate::gui) fn show(
             let length = format!("{} / {MAX_LINK_CHARACTERS} {}", link.len(), words.characters);
             ui.label(RichText::new(length).small().weak());
         }
-        Err(error) => complaint(ui, &messages::link(model.settings.lang, *error)),
+        Err(error) => complaint(ui, &camera_lab_words::messages::link(model.settings.lang, *error)),
     }
     let whole = learn.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
     let own = match whole {
         Some(playing) => playing.lesson.steps.iter().flat_map(|step| own_files(&step.figure)).collect(),
         None => own_files(model.desk.shown.figure()),
     };
-    let own: Vec<String> = BTreeSet::from_iter(own).into_iter().collect();
+    let own: Vec<String> = std::collections::BTreeSet::from_iter(own).into_iter().collect();
     if !own.is_empty() {
         complaint(ui, &format!("{} {}", words.own_files, sanitize::within(&own.join(", "), 200)));
     }

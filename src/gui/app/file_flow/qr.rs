@@ -5,7 +5,6 @@ use qrcode::{Color, EcLevel, QrCode};
 
 use crate::gui::app::file_flow::link_dialog::Sharing;
 use crate::gui::learn::Learn;
-use camera_lab_desk::Model;
 use camera_lab_words::window::sharing;
 
 /// The free border around the code, in modules, as the standard requires.
@@ -15,7 +14,7 @@ const QUIET: usize = 4;
 /// true when it has just been opened. Returns false once it's closed.
 pub(in crate::gui) fn show(
     ctx: &egui::Context,
-    model: &Model,
+    model: &camera_lab_desk::Model,
     learn: &Learn,
     sharing: &mut Sharing,
     first: bool,

@@ -5,10 +5,8 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use crate::clock;
 use crate::gui::app::state::State;
 use crate::gui::kit::frames;
-use crate::progress::Progress;
 use camera_lab_desk::{Model, Revision, Running, Worker};
 
 /// Time that a frame waits for a file. Files on a disk of this machine are there by then.
@@ -33,7 +31,8 @@ pub struct Reading {
 
 impl Default for Reading {
     fn default() -> Self {
-        let worker = Worker::new("file", clock::now, || async |read: Read, _: &Progress| read());
+        let worker =
+            Worker::new("file", crate::clock::now, || async |read: Read, _: &crate::progress::Progress| read());
         Self { worker, asked: None, patience: PATIENCE }
     }
 }

@@ -5,10 +5,8 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use crate::clock;
 use crate::figure::{Figure, update};
 use crate::gui::kit::frames;
-use crate::progress::Progress;
 use camera_lab_desk::background::worker;
 use camera_lab_desk::{Model, Revision, Theirs, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
@@ -149,8 +147,8 @@ impl Saving {
             is_own: document.path() == Some(&save.path),
             agreed: save.agreed.clone(),
         };
-        let write = async |job: ToSave, _: &Progress| job.run().unwrap_or_else(Saved::Failed);
-        let mut worker = Worker::new("save", clock::now, move || write);
+        let write = async |job: ToSave, _: &crate::progress::Progress| job.run().unwrap_or_else(Saved::Failed);
+        let mut worker = Worker::new("save", crate::clock::now, move || write);
         worker.ask(&frames(ctx), 0, job);
         self.running.push(RunningSave { worker, save, document: Some(document.id()) });
     }

@@ -1,7 +1,6 @@
 //! The question for the title and the caption of a figure, in both languages.
 
 use std::iter;
-use std::path::Path;
 
 use eframe::egui::{self, Key, Modifiers, RichText};
 
@@ -11,7 +10,6 @@ use crate::gui::app::file_flow::questions::{Dialog, FileFlow, Purpose, TitleForm
 use crate::gui::app::state::State;
 use crate::gui::kit::{Pressed, TextField, buttons, text_field};
 use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
-use crate::sanitize;
 use camera_lab_desk::Model;
 use camera_lab_words::window::{Texts, sharing};
 use camera_lab_words::{Lang, told, told_mut};
@@ -80,7 +78,7 @@ pub(in crate::gui) fn show(
         let mut path =
             form.path.clone().unwrap_or_else(|| proposal(FileKind::of(state, purpose), t.lang, form.title.clone()));
         // Without a folder it would land anywhere, so the system's dialog asks.
-        let has_folder = Path::new(&path).parent().is_some_and(|folder| !folder.as_os_str().is_empty());
+        let has_folder = std::path::Path::new(&path).parent().is_some_and(|folder| !folder.as_os_str().is_empty());
         if by_system && form.path.is_none() && !has_folder {
             return None;
         }
@@ -147,7 +145,8 @@ fn accept(model: &mut Model, file_flow: &mut FileFlow, form: TitleForm) -> Optio
 /// A text of one line in each language. English replaces an empty one, or else the first.
 fn written(text: Localized) -> Option<Localized> {
     let line = |_: &str, text: &str| {
-        let words = text.split(|c: char| c.is_whitespace() || sanitize::is_obeyed(c)).filter(|word| !word.is_empty());
+        let words =
+            text.split(|c: char| c.is_whitespace() || crate::sanitize::is_obeyed(c)).filter(|word| !word.is_empty());
         words.collect::<Vec<_>>().join(" ")
     };
     let Localized { en, pt_br, others } = text.map(line);

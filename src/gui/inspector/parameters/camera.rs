@@ -10,7 +10,6 @@ use crate::gui::inspector::{erratum, section};
 use crate::gui::kit::{Explained, NumberField, Step, help_topic};
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
 use crate::scene::Preset;
-use camera_lab_desk::Model;
 use camera_lab_words::window::Texts;
 
 /// C, PF and VUP.
@@ -29,7 +28,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut ParameterForm) {
 }
 
 /// The kind of projection, θ or H, A, F and B.
-pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &Model) {
+pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &camera_lab_desk::Model) {
     let t = form.t;
     section(ui, t.projection, "projection", true, |ui| {
         kind(ui, form);

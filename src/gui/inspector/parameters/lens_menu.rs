@@ -6,7 +6,6 @@ use eframe::egui::{self, Popup, PopupCloseBehavior};
 use super::{ParameterForm, complain, row, toggle};
 use crate::camera::{Camera, LensForm, LensNumbers, Parameters, Sensor, SensorFit};
 use crate::gui::kit::{Explained, NumberField, Step};
-use crate::numbers::EXACT_DIGITS;
 use camera_lab_words::window::lens::{self, Texts};
 
 /// The values of the menu that no camera has.
@@ -86,7 +85,9 @@ fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> 
     }
     let [width, height] = camera.view_size_at(distance);
     let sizes = |digits| [width, height].map(|side| form.lang.mark().number(side, digits)).join(" × ");
-    row(ui, "", t.view_there, t.view_there_hint, |ui| ui.label(sizes(5)).explained(sizes(EXACT_DIGITS)));
+    row(ui, "", t.view_there, t.view_there_hint, |ui| {
+        ui.label(sizes(5)).explained(sizes(crate::numbers::EXACT_DIGITS))
+    });
     change
 }
 

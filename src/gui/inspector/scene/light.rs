@@ -1,7 +1,6 @@
 //! The fields of a light, and of its shadows.
 
 use eframe::egui;
-use glam::DVec3;
 
 use super::{SceneEdit, SceneForm};
 use crate::figure::ShadowReveal;
@@ -32,7 +31,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
     // A light of the other kind is at the opposite side, or shines from there.
     let vector = match kind {
         _ if kind == light.kind => vector,
-        LightKind::Directional if vector == DVec3::ZERO => DEFAULT_LIGHT,
+        LightKind::Directional if vector == glam::DVec3::ZERO => DEFAULT_LIGHT,
         LightKind::Directional => -vector,
         LightKind::Point => -vector * (10.0 * form.step),
     };

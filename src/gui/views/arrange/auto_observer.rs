@@ -1,8 +1,6 @@
 //! The observer of a picture that the user hasn't turned. It stays in place, so that a moving camera is seen to move,
 //! and goes back, once, if something would leave the picture.
 
-use std::collections::VecDeque;
-
 use crate::camera::{Camera, Ndc};
 use crate::figure::{Observer, Outside};
 use crate::views::observer::Viewpoint;
@@ -39,7 +37,7 @@ type Extent = (Outside, Ndc);
 pub(in crate::gui::views) struct Auto {
     kept: Option<KeptObserver>,
     /// Earlier subjects with their observers. If a camera comes back, as by undo, its observer does too.
-    before: VecDeque<(Subject, Observer)>,
+    before: std::collections::VecDeque<(Subject, Observer)>,
 }
 
 /// The subject of a framing, besides the scene and the size of the picture.

@@ -8,7 +8,6 @@ use crate::figure::{Labels, Note, NotePlace};
 use crate::gui::views::pointer::handle_drag;
 use crate::gui::views::status::Status;
 use crate::gui::views::{Canvas, Pane};
-use crate::limits::MAX_LABELS;
 use crate::views::{LabelPlace, View, note_place};
 use camera_lab_desk::Model;
 use camera_lab_words::window::labels as words;
@@ -153,7 +152,7 @@ impl Canvas {
 fn add_note(model: &mut Model, pane: &Pane, pixel: DVec2) {
     model.label_mode.adding = false;
     let count = model.desk.shown.figure().labels.notes.len();
-    if count >= MAX_LABELS {
+    if count >= crate::limits::MAX_LABELS {
         return;
     }
     // The other side of a comparison may be under the pointer.

@@ -1,7 +1,5 @@
 //! The card of the mode *Labels*: the chosen label, hidden ones, notes.
 
-use std::sync::Arc;
-
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{self, Align2, ComboBox, FontSelection, Galley, Id, Ui, Window, vec2};
 
@@ -168,7 +166,7 @@ impl Canvas {
 }
 
 /// A typed text in which other fonts replace the letters of Unicode's mathematics, which no font of the window has.
-fn with_letters(ui: &Ui, typed: &str) -> Arc<Galley> {
+fn with_letters(ui: &Ui, typed: &str) -> std::sync::Arc<Galley> {
     let (plain, color) = (FontSelection::Default.resolve(ui.style()), ui.visuals().text_color());
     let mut job = LayoutJob { keep_trailing_whitespace: true, ..LayoutJob::default() };
     for c in typed.chars() {

@@ -7,7 +7,6 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
-use crate::appearance::Rgba;
 use crate::camera::{PhotographCamera, WorldAxis};
 use crate::gui::views::image_place::ImagePlace;
 use crate::gui::views::labels::label_drag::arrow_of;
@@ -148,7 +147,7 @@ fn is_removed(ui: &Ui, photograph: &mut PhotographTool, response: &Response, (gr
     removes
 }
 
-const fn color_of(rgba: Rgba) -> Color32 {
+const fn color_of(rgba: crate::appearance::Rgba) -> Color32 {
     Color32::from_rgb(rgba.r, rgba.g, rgba.b)
 }
 

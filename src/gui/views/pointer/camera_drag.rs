@@ -4,7 +4,6 @@ use glam::{DQuat, DVec2, DVec3};
 
 use crate::camera::{Camera, Convention, Operation, Parameters, Projection};
 use crate::views::{Request, pick};
-use camera_lab_desk::Model;
 
 /// Degrees for one point of a drag.
 const DEGREES_PER_POINT: f64 = 0.4;
@@ -44,7 +43,12 @@ impl CameraDrag {
 
     /// Follows the pointer, whose way is `points` on the screen and `pixels` in the picture. Returns true if it has
     /// moved on.
-    pub(in crate::gui::views) fn follow(&mut self, model: &mut Model, points: DVec2, pixels: DVec2) -> bool {
+    pub(in crate::gui::views) fn follow(
+        &mut self,
+        model: &mut camera_lab_desk::Model,
+        points: DVec2,
+        pixels: DVec2,
+    ) -> bool {
         if std::mem::replace(&mut self.gone, points) == points {
             return false;
         }

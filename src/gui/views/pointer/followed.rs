@@ -5,7 +5,6 @@ use glam::{DVec2, DVec3};
 
 use crate::gui::views::Pane;
 use crate::gui::views::pointer::handle_drag;
-use crate::sanitize::escaped;
 use crate::views::{Request, named_points};
 use camera_lab_desk::Model;
 use camera_lab_words::why::explain_point;
@@ -68,5 +67,8 @@ fn lines(index: usize, model: &Model) -> Vec<String> {
     let (lang, digits) = (model.settings.lang, model.settings.digits.min(6));
     let Some(point) = model.desk.shown.figure().points.get(index) else { return Vec::new() };
     let place = handle_drag::point(point.position, digits, lang.mark());
-    vec![format!("{} = {place}", escaped(&point.name)), explain_point::texts(lang).drag_point.to_owned()]
+    vec![
+        format!("{} = {place}", crate::sanitize::escaped(&point.name)),
+        explain_point::texts(lang).drag_point.to_owned(),
+    ]
 }

@@ -4,7 +4,6 @@ use eframe::egui::{CursorIcon, Modifiers};
 use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, CameraError, Parameters};
-use crate::numbers::DecimalMark;
 use crate::views::{Handle, Request, handles};
 use camera_lab_words::window;
 use camera_lab_words::window::canvas::CanvasTexts;
@@ -90,6 +89,6 @@ pub(in crate::gui) fn cursor(held: bool) -> CursorIcon {
 }
 
 /// A point in the notation of the whole window.
-pub(in crate::gui) fn point(p: DVec3, digits: usize, mark: DecimalMark) -> String {
+pub(in crate::gui) fn point(p: DVec3, digits: usize, mark: crate::numbers::DecimalMark) -> String {
     mark.tuple(&p.to_array(), digits)
 }

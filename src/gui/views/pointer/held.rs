@@ -13,8 +13,6 @@ use crate::gui::views::pointer::handle_drag::{self, HandleDrag};
 use crate::gui::views::pointer::selection_gizmo::Movable;
 use crate::gui::views::status::Status;
 use crate::gui::views::{Canvas, Pane};
-use crate::numbers::power_of_ten;
-use crate::scene::SceneSpec;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::{part_at, pull};
 use crate::views::{GizmoPart, Handle, Picture, Transforming, View};
@@ -49,7 +47,7 @@ pub(in crate::gui::views) enum Drag {
 pub(in crate::gui::views) struct GizmoDrag {
     /// Its state when it was taken, and the scene with it.
     movable: Movable,
-    before: SceneSpec,
+    before: crate::scene::SceneSpec,
     part: GizmoPart,
     observer: Option<Observer>,
     from: DVec2,
@@ -290,7 +288,7 @@ pub(in crate::gui::views) fn tooltip(ui: &Ui, lines: &[String]) {
 
 /// Length of one step of a move while the modifier is held: a tenth of D, rounded to a power of ten.
 fn snap_length(model: &Model) -> f64 {
-    power_of_ten(model.desk.shown.camera().distance() / 10.0).unwrap_or(1.0)
+    crate::numbers::power_of_ten(model.desk.shown.camera().distance() / 10.0).unwrap_or(1.0)
 }
 
 /// The transform of the selection that the gizmo changes, and the way to drag it.

@@ -4,7 +4,6 @@ use eframe::egui;
 use glam::DVec3;
 
 use crate::gui::kit::frames;
-use crate::progress::Progress;
 use crate::scene::edit::placements;
 use crate::scene::{Scene, SceneSpec, ShapeData};
 use crate::views::SharedScene;
@@ -35,7 +34,9 @@ pub(in crate::gui::views) struct VertexNames {
 
 impl Default for VertexNames {
     fn default() -> Self {
-        let search = Latest::new("vertex names", || async |(scene, p): &Place, _: &Progress| OfMesh::at(*p, scene));
+        let search = Latest::new("vertex names", || {
+            async |(scene, p): &Place, _: &crate::progress::Progress| OfMesh::at(*p, scene)
+        });
         Self { last: Memo::default(), search }
     }
 }

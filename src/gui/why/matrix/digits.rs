@@ -1,7 +1,6 @@
 //! Numbers in which recently changed digits glow.
 
 use std::fmt::Debug;
-use std::hash::Hash;
 
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{Color32, FontId, Id, TextFormat, Ui};
@@ -95,7 +94,7 @@ fn strength(now: f64, since: f64) -> f64 {
 pub(in crate::gui::why) fn push(
     ui: &Ui,
     job: &mut LayoutJob,
-    key: impl Hash + Debug,
+    key: impl std::hash::Hash + Debug,
     text: &str,
     font: &FontId,
     color: Color32,
