@@ -11,6 +11,7 @@ use eframe::egui;
 
 use super::state::State;
 use super::{App, dialogs, menu, presentation, status};
+use crate::figure::Explanation;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose};
 use crate::gui::app::file_flow::{self, ask, begin};
 use crate::gui::inspector::state::compare::CompareForm;
@@ -168,18 +169,32 @@ impl App {
             egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
-                let State { model, explain, learn, .. } = &mut self.state;
-                why::ui(ui, model, explain, &mut |ui, model, part| match part {
-                    why::Part::Exercise => exercises::head(ui, model, learn),
-                    why::Part::Exercises => exercises::ui(ui, model, learn),
-                    why::Part::Matrices => {
-                        let compared = model.settings.conventions.compared;
-                        values::list(ui, model, false, compared, |table| table.is_matrix());
-                    }
-                });
+                self.explanation(ui);
             });
             name_handle(ui, id, t.panel_width);
         }
+    }
+
+    /// The chosen explanation. Other features show the exercises, and the matrices in the chosen conventions.
+    fn explanation(&mut self, ui: &mut egui::Ui) {
+        let State { model, explain, learn, .. } = &mut self.state;
+        why::head(ui, model, explain);
+        let shown = model.explained.shown();
+        if shown == Explanation::Exercises {
+            exercises::head(ui, model, learn);
+            ui.separator();
+        }
+        egui::ScrollArea::vertical().id_salt(("explain", shown)).auto_shrink(false).show(ui, |ui| {
+            match shown {
+                Explanation::Exercises => exercises::ui(ui, model, learn),
+                _ => why::content(ui, model, explain),
+            }
+            if shown == Explanation::Conventions {
+                let compared = model.settings.conventions.compared;
+                values::list(ui, model, false, compared, |table| table.is_matrix());
+            }
+            focus::keep_in_sight(ui);
+        });
     }
 
     /// Operations above, at their own height but not more than about half if the numbers below are unfolded.
