@@ -1,4 +1,4 @@
-//! What a feature asks of the window: an action, a file, an intent that may lose work.
+//! Requests of a feature to the window: an action, a file, an intent that may lose work.
 
 use crate::chart::Chart;
 use crate::export::plot::Block;

@@ -504,7 +504,8 @@ fn third_party(_: &egui::Context) -> Option<&'static str> {
 }
 
 /// The program: its version, its licence, and those of its components. They're built in, so a single copied file has
-/// them too. Only in a browser they stand beside the program, in its page. `first` is true when it has just been opened. False once it's closed.
+/// them too. Only in a browser they stand beside the program, in its page. `first` is true when it has just been
+/// opened. False once it's closed.
 fn about(ui: &mut egui::Ui, t: &Texts, first: bool) -> bool {
     ui.heading(format!("Camera Lab {}", env!("CARGO_PKG_VERSION")));
     ui.add_space(6.0);

@@ -90,7 +90,7 @@ const PARAMETERS: [Parameter; 11] = [
     (Tab::Camera, "", |t| t.viewport),
 ];
 
-/// The place of a key of figure files in the window. A name of a section counts for its keys without a row of their own.
+/// The place of a key of figure files in the window. The name of a section counts for its keys without a row.
 type Home = (&'static str, fn(&window::Texts) -> SearchTarget);
 
 const HOMES: &[Home] = &[

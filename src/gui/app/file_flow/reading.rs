@@ -12,8 +12,8 @@ use camera_lab_desk::{Model, Revision, Running, Worker};
 /// Time that a frame waits for a file. Files on a disk of this machine are there by then.
 const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 50 });
 
-/// What a frame does with a file once it's read. The last argument is true if the window's figure has changed since the
-/// file was asked for.
+/// Goes on with a file that has been read. The last argument is true if the window's figure has changed since the file
+/// was asked for.
 pub(super) type Take = Box<dyn FnOnce(&egui::Context, &mut State, bool) + Send>;
 
 /// Reads a file, beside the window's thread.
@@ -53,8 +53,8 @@ impl Reading {
         self.worker.ask(&frames(ctx), 0, read);
     }
 
-    /// What to do with the file once it's there, and if the window's figure has changed since the request. Nothing if the user has
-    /// gone on to another figure.
+    /// The way to go on with the file once it's there, and if the window's figure has changed since the request. None if
+    /// the user has gone on to another figure.
     pub(super) fn take(&mut self, model: &Model, patience: Duration) -> Option<(Take, bool)> {
         let [done] = self.worker.take(patience);
         let take = done?.outcome?;
