@@ -14,7 +14,7 @@ use crate::numerics::this_figure::{Saving, savings};
 use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::{Containment, ObjectReport, Stage, StageReport};
 use crate::progress::{Progress, at_once};
-use crate::sanitize::escaped;
+use crate::sanitize::{self, escaped};
 use crate::scene::{Object, Scene};
 use crate::stage::Operations;
 use crate::views::{Request, Size, View};
@@ -102,6 +102,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
                 text += "\n";
                 text += &this_figure::savings(lang, &saved);
             }
+            text += &format!("\n{} {}\n", texts::explain(lang).accuracy, sanitize::path(&args.figure));
             text
         }
         TableFormat::Json => {

@@ -25,7 +25,7 @@ pub mod inspector {
 }
 pub mod kit;
 pub mod learn;
-pub mod pictures;
+pub mod views;
 /// The system under the window: its file dialogs, and the possible sizes of a window.
 pub mod platform {
     pub mod native;
@@ -39,32 +39,27 @@ pub mod storage {
 }
 pub mod why;
 
-use std::path::PathBuf;
-
 pub use app::App;
 pub use app::launch_options::LaunchOptions;
 pub use app::state::State;
 
-use crate::figure::Figure;
-use crate::lessons::OpenLesson;
-use camera_lab_files::SourceFile;
 use camera_lab_words::Lang;
 
 /// The initial state of the window.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
     /// The figure. Its camera must be possible.
-    pub figure: Figure,
+    pub figure: crate::figure::Figure,
     /// Its file. `None` for a new figure.
-    pub file: Option<SourceFile>,
+    pub file: Option<camera_lab_files::SourceFile>,
     /// The language of the interface.
     pub lang: Lang,
     /// True if the user lets the figure name any file of this machine.
     pub allow_files: bool,
     /// The lesson being played. Its step has the figure.
-    pub lesson: Option<OpenLesson>,
+    pub lesson: Option<crate::lessons::OpenLesson>,
     /// A file to open once the window is there.
-    pub later: Option<PathBuf>,
+    pub later: Option<std::path::PathBuf>,
 }
 
 /// The reason why there is no window.

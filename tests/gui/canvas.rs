@@ -8,7 +8,7 @@ use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::app::frame::pictures;
 use camera_lab::gui::kit::theme;
-use camera_lab::gui::pictures::Canvas;
+use camera_lab::gui::views::Canvas;
 use camera_lab::gui::{Start, State};
 use camera_lab::scene::Preset;
 use camera_lab::views::handles::handles;

@@ -503,7 +503,7 @@ fn a_code_without_an_address_asks_for_one_and_a_link_does_not() {
     window.harness.event(Event::Text("https://example.org/".to_owned()));
     window.run();
     assert!(!window.says(t.address_first));
-    assert_eq!(window.state().page_address, "https://example.org/");
+    assert_eq!(window.state().sharing.page_address, "https://example.org/");
     window.click(t.code);
     assert!(window.says(t.code));
 }
@@ -513,7 +513,8 @@ fn a_code_without_an_address_asks_for_one_and_a_link_does_not() {
 fn forms_keep_typed_and_chosen_values() {
     let mut window = Window::new(Lang::En);
     // The address of a link is no part of its dialog: all links begin with it.
-    let shown = |window: &Window| (window.state().file_flow.dialog.clone(), window.state().page_address.clone());
+    let shown =
+        |window: &Window| (window.state().file_flow.dialog.clone(), window.state().sharing.page_address.clone());
     let (t, words) = (en::WINDOW, handouts::texts(Lang::En));
     let title = format!("{}, {}", t.title_name, Lang::En.name());
     type Change = Box<dyn Fn(&mut Window)>;

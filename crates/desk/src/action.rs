@@ -1,10 +1,5 @@
-//! What a feature asks of the window: an action, a file, an intent that may lose work.
+//! Requests of a feature to the window: an action, a file, an intent that may lose work.
 
-use std::collections::BTreeSet;
-use std::path::PathBuf;
-use std::sync::Arc;
-
-use crate::camera::Decomposition;
 use crate::chart::Chart;
 use crate::export::plot::Block;
 use crate::lessons::{Lesson, OpenLesson};
@@ -21,7 +16,7 @@ pub enum Action {
     /// Ask if the objects below the deleted ones go too.
     Delete {
         /// Their names.
-        names: BTreeSet<String>,
+        names: std::collections::BTreeSet<String>,
         /// Number of other objects below them.
         below: usize,
     },
@@ -29,6 +24,8 @@ pub enum Action {
     DeleteProgress,
     /// Show the camera check.
     Coach,
+    /// Show the study of the figure on the screen.
+    Examine,
     /// Show the comparison.
     Compare,
     /// Show the list of lessons.
@@ -39,7 +36,7 @@ pub enum Action {
 
 impl Action {
     /// Plays a built-in lesson from a step.
-    pub fn lesson(lesson: Arc<Lesson>, step: usize) -> Self {
+    pub fn lesson(lesson: std::sync::Arc<Lesson>, step: usize) -> Self {
         Self::Begin(Intent::Lesson(OpenLesson { lesson, path: None, step }))
     }
 
@@ -79,7 +76,7 @@ pub enum FileFor {
     CompareWith,
     /// To write the way to the canonical volume, by these steps, as an animation or a strip, depending on the ending of
     /// the name.
-    Animation(Decomposition),
+    Animation(crate::camera::Decomposition),
     /// To write a chart.
     Chart(Box<ChartFile>),
     /// To export progress in exercises, as a table for spreadsheets.
@@ -96,7 +93,7 @@ pub enum Intent {
     /// Ask for a file and open it.
     Open,
     /// Open this file.
-    OpenPath(PathBuf),
+    OpenPath(std::path::PathBuf),
     /// Open the built-in figure with this name.
     Shipped(&'static str),
     /// Open the figure of this text.

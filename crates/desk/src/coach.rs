@@ -3,8 +3,6 @@
 
 use std::time::Duration;
 
-use crate::Wake;
-use crate::appearance::Style;
 use crate::background::memo::Latest;
 use crate::camera::{Camera, ImageSize, Parameters};
 use crate::figure::{Figure, Reveal};
@@ -13,16 +11,14 @@ use crate::numerics::diagnosis::{
     Cause, Diagnosis, IN_A_WINDOW, ImageSpec, ImpossibleCamera, Repair, diagnose, impossible_camera,
 };
 use crate::numerics::health::{Health, health};
-use crate::progress::Progress;
-use crate::views::SharedScene;
 use camera_lab_words::window::coach;
 
 /// The inputs of the findings.
 #[derive(Clone, Debug, PartialEq)]
 struct HealthRequest {
     camera: Camera,
-    scene: SharedScene,
-    style: Style,
+    scene: crate::views::SharedScene,
+    style: crate::appearance::Style,
     reveal: Reveal,
     image: ImageSize,
     /// Parameters in the fields that aren't a camera.
@@ -49,7 +45,7 @@ pub struct Coach {
 impl Default for Coach {
     fn default() -> Self {
         let advice = Latest::new("coach", || {
-            async |request: &HealthRequest, progress: &Progress| {
+            async |request: &HealthRequest, progress: &crate::progress::Progress| {
                 let HealthRequest { camera, scene, style, reveal, image, impossible } = request;
                 if let Some(impossible) = impossible {
                     let diagnosis = Some(impossible_camera(impossible, scene));
@@ -86,7 +82,7 @@ impl Coach {
 
 impl Model {
     /// Makes the coach examine the figure, if it has changed, but not during a move or while a pointer button is down.
-    pub fn check_camera(&mut self, window: &dyn Wake, is_down: bool) {
+    pub fn check_camera(&mut self, window: &dyn crate::Wake, is_down: bool) {
         self.coach.take(Duration::ZERO);
         if is_down || self.motion.is_some() {
             return;

@@ -7,7 +7,6 @@ use similar::algorithms::{Capture, Compact, Replace, myers};
 use web_time::Instant;
 
 use crate::limits::MAX_COMPARED_LINES;
-use crate::sanitize;
 
 /// Equal lines shown around differing ones.
 const AROUND: usize = 2;
@@ -30,12 +29,12 @@ pub enum LineOrigin {
 
 /// The differing lines of a file and the window, with a few around them, in order.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Comparison {
+pub struct LineComparison {
     /// Each line without its end.
     pub lines: Vec<(LineOrigin, String)>,
 }
 
-impl Comparison {
+impl LineComparison {
     /// Compares the text of the file with the text that saving would write.
     pub fn new(theirs: &str, mine: &str) -> Self {
         let [theirs, mine] = [theirs, mine].map(|text| text.split_inclusive('\n').collect::<Vec<_>>());
@@ -70,7 +69,7 @@ impl Comparison {
 
 /// The displayed part of a line, without its end.
 fn shown(line: &str) -> String {
-    sanitize::printable(&line.trim_end_matches(['\r', '\n']).replace('\t', "    "))
+    crate::sanitize::printable(&line.trim_end_matches(['\r', '\n']).replace('\t', "    "))
 }
 
 #[cfg(test)]
@@ -81,7 +80,7 @@ mod tests {
     fn differing_lines_are_marked_with_a_few_around_them() {
         let theirs = "a\nb\nc\nd\nnear = 1\ne\nf\ng\nh\ni\nj\nk\n";
         let mine = "a\nb\nc\nd\nnear = 2\ne\nf\ng\nh\ni\nj\nk\nl\n";
-        let lines = Comparison::new(theirs, mine).lines;
+        let lines = LineComparison::new(theirs, mine).lines;
         let signs: Vec<String> = lines
             .iter()
             .map(|(whose, line)| match whose {
@@ -92,15 +91,15 @@ mod tests {
             })
             .collect();
         assert_eq!(signs, ["=c", "=d", "-near = 1", "+near = 2", "=e", "=f", "…", "=j", "=k", "+l"]);
-        assert!(Comparison::new(mine, mine).lines.is_empty());
+        assert!(LineComparison::new(mine, mine).lines.is_empty());
     }
 
     #[test]
     fn long_and_strange_texts_are_bounded() {
         let many: String = (0..100_000).map(|i| format!("{i}\n")).collect();
-        let lines = Comparison::new(&many, "x\n").lines;
+        let lines = LineComparison::new(&many, "x\n").lines;
         assert_eq!(lines.len(), MAX_COMPARED_LINES + 1);
-        let lines = Comparison::new("a\u{1b}[31m\tb\r\n", "").lines;
+        let lines = LineComparison::new("a\u{1b}[31m\tb\r\n", "").lines;
         assert_eq!(lines, [(LineOrigin::Theirs, r"a\u{1b}[31m    b".to_owned())]);
     }
 }

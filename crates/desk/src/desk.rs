@@ -19,7 +19,7 @@ pub struct Desk {
     /// The document in the views.
     pub shown: Document,
     /// The hidden documents. Of two in places of one kind, the later one came last.
-    held: Vec<Held>,
+    held: Vec<HeldDocument>,
     /// The changes that count as work in a step of a lesson, while one is played.
     steps: Option<StepWork>,
     /// The intent that waits for an answer, or for a file.
@@ -73,7 +73,7 @@ pub enum Reply {
 
 /// A hidden document.
 #[derive(Clone, Debug)]
-struct Held {
+struct HeldDocument {
     document: Document,
     place: Place,
 }
@@ -175,10 +175,10 @@ impl Desk {
             return self.shown.undo(back);
         }
         let Some(index) = self.neighbour(back) else { return };
-        let Held { document, .. } = self.held.remove(index);
+        let HeldDocument { document, .. } = self.held.remove(index);
         let id = document.id();
         let place = if back { Place::InFront(id) } else { Place::Behind(id) };
-        self.held.push(Held { document: std::mem::replace(&mut self.shown, document), place });
+        self.held.push(HeldDocument { document: std::mem::replace(&mut self.shown, document), place });
     }
 
     /// The document behind the shown one (`back`), or in front of it.
@@ -215,7 +215,7 @@ impl Desk {
         match before {
             // A displayed figure without changes doesn't need a way back, so there is no chain of them.
             Some(before) if !left.is_changed() => self.held[before].place = place,
-            _ => self.held.push(Held { document: left, place }),
+            _ => self.held.push(HeldDocument { document: left, place }),
         }
         Ok(())
     }
@@ -247,7 +247,7 @@ impl Desk {
 
     fn hold(&mut self, document: Document, place: Place) {
         if document.is_changed() {
-            self.held.push(Held { document, place });
+            self.held.push(HeldDocument { document, place });
         }
     }
 
@@ -281,7 +281,7 @@ impl Desk {
         }
         if let Some(document) = left {
             self.held.retain(|held| held.place != Place::Step(step));
-            self.held.push(Held { document, place: Place::Step(step) });
+            self.held.push(HeldDocument { document, place: Place::Step(step) });
         }
     }
 
@@ -296,7 +296,7 @@ impl Desk {
         for held in std::mem::take(&mut self.held) {
             match held.place {
                 Place::Step(step) => match to(step) {
-                    Some(step) => moved.push(Held { place: Place::Step(step), ..held }),
+                    Some(step) => moved.push(HeldDocument { place: Place::Step(step), ..held }),
                     None => left.push(held.document),
                 },
                 _ => moved.push(held),
@@ -335,7 +335,7 @@ impl Desk {
         self.take(|held| held.place == Place::Left && Source::of(&held.document).as_ref() == source)
     }
 
-    fn take(&mut self, is_it: impl Fn(&Held) -> bool) -> Option<Document> {
+    fn take(&mut self, is_it: impl Fn(&HeldDocument) -> bool) -> Option<Document> {
         let index = self.held.iter().position(is_it)?;
         Some(self.held.remove(index).document)
     }
@@ -353,7 +353,7 @@ impl Desk {
                 behind_shown.push(held.document.id());
             }
         }
-        let is_lost = |held: &&Held| match held.place {
+        let is_lost = |held: &&HeldDocument| match held.place {
             // Redoing may lead there, or not.
             Place::InFront(_) => false,
             Place::Behind(id) if behind_shown.contains(&id) => self.is_work(&held.document),
@@ -377,7 +377,7 @@ impl Desk {
         let next = self.held.remove(last).document;
         if gives_up {
             // If the window isn't closed after all, the figure is still there.
-            self.held.push(Held { document: self.shown.clone(), place: Place::GivenUp });
+            self.held.push(HeldDocument { document: self.shown.clone(), place: Place::GivenUp });
         }
         Some(next)
     }

@@ -8,7 +8,6 @@ use std::path::{Path, PathBuf};
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
 use crate::figure::{Figure, Labels, Observers, Screen, Show};
-use crate::scene::Preset;
 use camera_lab_files::{
     Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename, share,
 };
@@ -65,7 +64,7 @@ impl Seen {
 
 /// The figure that a window begins with: the default scene, from a good viewpoint for it and its view volume.
 pub fn fresh() -> Figure {
-    Figure::of_preset(Preset::default())
+    Figure::of_preset(crate::scene::Preset::default())
 }
 
 impl Document {

@@ -3,11 +3,9 @@
 use std::sync::Arc;
 
 use crate::action::Action;
-use crate::camera::Camera;
 use crate::figure::{Observers, TransformPreview};
 use crate::layout::ObserverChange;
 use crate::picture::Pixels;
-use crate::pipeline::StageReport;
 use crate::shown::{OpenPanels, PanelHover};
 use crate::views::{Probe, View};
 
@@ -50,7 +48,7 @@ pub struct Exchange {
     /// The camera that an answer describes.
     ///
     /// *Set by* the exercises. *Read by* the views. *Lives* for a frame.
-    pub answered: Option<Camera>,
+    pub answered: Option<crate::camera::Camera>,
     /// Objects in the places where the explanation of order puts them.
     ///
     /// *Set by* the explanation of order. *Read by* the views. *Lives* for a frame.
@@ -66,7 +64,7 @@ pub struct Exchange {
     /// The report of the strip's view, stage by stage.
     ///
     /// *Set by* the views while the stages are explained. *Read by* their explanation. *Lives* until it changes.
-    pub reports: Vec<StageReport>,
+    pub reports: Vec<crate::pipeline::StageReport>,
 }
 
 impl Default for Exchange {

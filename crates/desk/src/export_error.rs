@@ -1,12 +1,8 @@
 //! The reasons why a picture wasn't written.
 
-use crate::camera::CameraError;
 use crate::export::format::PictureFormat;
 use crate::figure::variation::VariationError;
 use crate::picture::{NoComposite, PictureError};
-use crate::pipeline::OverBudget;
-use crate::scene::SceneError;
-use camera_lab_files::FileError;
 use camera_lab_words::{Lang, families, messages, window};
 
 /// The reason why a picture wasn't written.
@@ -14,16 +10,16 @@ use camera_lab_words::{Lang, families, messages, window};
 pub enum ExportError {
     #[error(transparent)]
     /// The camera is impossible.
-    Camera(#[from] CameraError),
+    Camera(#[from] crate::camera::CameraError),
     #[error(transparent)]
     /// The scene can't be built.
-    Scene(#[from] SceneError),
+    Scene(#[from] crate::scene::SceneError),
     #[error(transparent)]
     /// The picture can't be drawn.
     Picture(#[from] PictureError),
     #[error(transparent)]
     /// The file can't be read or written.
-    File(#[from] FileError),
+    File(#[from] camera_lab_files::FileError),
     #[error(transparent)]
     /// A member of the family is impossible.
     Family(#[from] VariationError),
@@ -56,7 +52,7 @@ impl ExportError {
             Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
                 format!("{count} {}", t.picture_no_room)
             }
-            Self::Picture(PictureError::Strokes) => messages::over_budget(lang, &OverBudget::Strokes),
+            Self::Picture(PictureError::Strokes) => messages::over_budget(lang, &crate::pipeline::OverBudget::Strokes),
             Self::Picture(error @ PictureError::Font) => error.to_string(),
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
             Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),

@@ -1,6 +1,5 @@
 //! The followed point.
 
-use crate::camera::NotProjectable;
 use crate::figure::NamedPoint;
 
 /// A space in which the user types a point.
@@ -26,7 +25,7 @@ pub struct Follow {
     /// The name of the followed point.
     pub chosen: Option<String>,
     /// The reason why the last typed coordinates belong to no point. Shown until the user types again.
-    pub refused: Option<(Space, NotProjectable)>,
+    pub refused: Option<(Space, crate::camera::NotProjectable)>,
 }
 
 impl Follow {

@@ -1,11 +1,9 @@
 //! A handout to be written: its content, and its file.
 
-use crate::exercises::Exercise;
 use crate::export_error::ExportError;
 use crate::lessons::OpenLesson;
 use crate::picture::{Handout, PictureError};
 use crate::progress::Progress;
-use crate::scene::no_files;
 use crate::views::{SharedScene, View, Views, scene_of};
 use camera_lab_files::{FigureFiles, FileAccess};
 use camera_lab_words::handout::{self, HandoutOptions, NoPicture, Scenes, views_of};
@@ -25,7 +23,7 @@ pub enum Content {
     /// A lesson, with its file.
     Lesson(OpenLesson),
     /// Exercises with their numbers, in the order of the sheet.
-    Exercises(Vec<Exercise>),
+    Exercises(Vec<crate::exercises::Exercise>),
 }
 
 impl From<NoPicture> for ExportError {
@@ -56,7 +54,7 @@ impl Job {
                 })
             }
             Content::Exercises(sheet) => handout::of_exercises(sheet, options, |figure, size| {
-                let scene = SharedScene::new(scene_of(figure, &mut no_files, progress)?);
+                let scene = SharedScene::new(scene_of(figure, &mut crate::scene::no_files, progress)?);
                 Ok(handout::picture(figure, &scene, Views::One(View::Image), size, options.lang)?)
             }),
         }

@@ -50,7 +50,7 @@ pub use action::{Action, ChartFile, FileFor, Intent, MeshFor};
 pub use background::memo::{Latest, Memo};
 pub use background::worker::{Done, Running, Worker};
 pub use coach::Advice;
-pub use comparison::{Comparison, LineOrigin};
+pub use comparison::{LineComparison, LineOrigin};
 pub use desk::Desk;
 pub use document::Document;
 pub use document::source::Source;

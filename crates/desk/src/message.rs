@@ -8,7 +8,6 @@ use crate::export_error::ExportError;
 use crate::pipeline::OverBudget;
 use crate::sanitize;
 use crate::scene::{MeshNotice, Preset, SceneError};
-use crate::views::View;
 use camera_lab_files::{FileError, LeftOut};
 use camera_lab_words::Lang;
 use camera_lab_words::learn::{exercise_messages, lessons};
@@ -57,7 +56,7 @@ pub enum Message {
     /// A step of the lesson has an open task.
     TaskFirst,
     /// The observer of a picture went back to keep everything in it.
-    WentBack(View),
+    WentBack(crate::views::View),
     /// A file has been opened.
     Opened(PathBuf),
     /// Several files were dropped at once, and this one was opened.

@@ -11,7 +11,6 @@ use crate::coach::Coach;
 use crate::desk::Desk;
 use crate::document::Document;
 use crate::exchange::Exchange;
-use crate::explain::Matrix;
 use crate::explained::Explained;
 use crate::figure::points::free_name;
 use crate::figure::{Explanation, Figure, NamedPoint, Observers, ShownProbe};
@@ -19,7 +18,6 @@ use crate::follow::Follow;
 use crate::layout::asked_layout::AskedLayout;
 use crate::layout::view_history::ViewHistory;
 use crate::layout::{Layout, ObserverChange, Panels, Side};
-use crate::limits::MAX_NAMED_POINTS;
 use crate::message::Message;
 use crate::operations::Operations;
 use crate::operations::motion::Motion;
@@ -153,7 +151,7 @@ impl Model {
         let points = &self.desk.shown.figure().points;
         let name = match points.iter().find(|point| point.position == position) {
             Some(point) => point.name.clone(),
-            None if points.len() >= MAX_NAMED_POINTS => return self.say(Message::TooManyPoints),
+            None if points.len() >= crate::limits::MAX_NAMED_POINTS => return self.say(Message::TooManyPoints),
             None => {
                 let name = free_name(points);
                 let point = NamedPoint { name: name.clone(), position };
@@ -190,7 +188,7 @@ impl Model {
     }
 
     /// Explains an entry of a matrix. The entry takes the focus.
-    pub fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
+    pub fn explain_entry(&mut self, matrix: crate::explain::Matrix, entry: [usize; 2]) {
         self.explained.matrices.go_to(matrix, entry);
         self.show_explanation(Explanation::Matrices);
     }

@@ -5,8 +5,6 @@ pub mod predict;
 
 use crate::camera::{Camera, Convention, Freedom, OPERATIONS, Operation};
 use crate::exercises::Ask;
-use crate::figure::Show;
-use crate::geometry::Angle;
 use crate::model::Model;
 use crate::operations::predict::{About, Predict, Prediction};
 use crate::views::{Ghost, View};
@@ -57,7 +55,7 @@ impl Operations {
     pub fn led_to(&self, camera: &Camera) -> Option<(Operation, &Camera)> {
         let Ghost { before, operation, convention } = self.last.as_ref()?;
         let after = operation.apply(before, *convention).ok()?;
-        let turned = |turn: fn(Angle) -> Operation| operation.right_hand_angle(*convention).map(turn);
+        let turned = |turn: fn(crate::geometry::Angle) -> Operation| operation.right_hand_angle(*convention).map(turn);
         let operation = match operation {
             Operation::Elevation(_) => turned(Operation::Elevation)?,
             Operation::Roll(_) => turned(Operation::Roll)?,
@@ -72,7 +70,7 @@ impl Operations {
         let Some((operation, before)) = self.led_to(camera) else { return };
         let continued = self.kept.as_ref().filter(|(_, after)| after.parameters() == before.parameters());
         let mut all = continued.map(|(kept, _)| kept.clone()).unwrap_or_default();
-        if all.len() == Show::MOST_OPERATIONS {
+        if all.len() == crate::figure::Show::MOST_OPERATIONS {
             all.remove(0);
         }
         all.push(operation);

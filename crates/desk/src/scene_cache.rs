@@ -2,7 +2,6 @@
 //! thread. Until a file is there, or if it can't be read, the rest of the scene is shown without it.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -12,7 +11,6 @@ use super::history::Revision;
 use crate::appearance::{HiddenLines, Texture, Theme};
 use crate::background::memo::Latest;
 use crate::background::worker::Running;
-use crate::figure::Figure;
 use crate::progress::Progress;
 use crate::scene::import::{Imported, read, read_texture};
 use crate::scene::{
@@ -251,7 +249,8 @@ impl SceneCache {
             }
             _ => None,
         });
-        let is_gone = |problem: &ReadProblem| matches!(problem, ReadProblem::System { kind: ErrorKind::NotFound, .. });
+        let is_gone =
+            |problem: &ReadProblem| matches!(problem, ReadProblem::System { kind: std::io::ErrorKind::NotFound, .. });
         meshes.chain(notices).map(|(name, problem)| (name, is_gone(problem))).collect()
     }
 
@@ -433,7 +432,7 @@ impl SceneCache {
     }
 }
 
-fn photograph_of(figure: &Figure) -> Option<&str> {
+fn photograph_of(figure: &crate::figure::Figure) -> Option<&str> {
     figure.photograph.as_ref().map(|photograph| photograph.file.as_str())
 }
 

@@ -2,9 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use glam::DMat4;
-
-use crate::appearance::Theme;
 use crate::explain::Placement;
 use crate::figure::Measured;
 use crate::model::Model;
@@ -160,7 +157,7 @@ impl SceneTree {
 
 /// The objects of a preset. Their colours don't matter here.
 pub fn preset_objects(preset: Preset) -> Vec<ObjectSpec> {
-    crate::scene::preset_objects(preset, &SceneColors::of(Theme::Light))
+    crate::scene::preset_objects(preset, &SceneColors::of(crate::appearance::Theme::Light))
 }
 
 impl Model {
@@ -169,7 +166,7 @@ impl Model {
         let of_object = |m: &Measured| matches!(m, Measured::Translate(_) | Measured::Rotate(_) | Measured::Scale(_));
         let (_, Placement { translate, rotate, scale, parent, .. }) =
             self.frame.hover.measured.iter().any(of_object).then(|| self.selected_placement()).flatten()?;
-        let world_from_parent = parent.unwrap_or(DMat4::IDENTITY);
+        let world_from_parent = parent.unwrap_or(glam::DMat4::IDENTITY);
         Some(ObjectTransform { world_from_parent, trs: Trs { translate, rotate, scale } })
     }
 

@@ -1,15 +1,13 @@
 //! The settings of the window.
 
-use crate::appearance::Theme;
 use crate::explained::Conventions;
 use crate::layout::{Panels, Tab, WindowPlace};
-use camera_lab_words::Lang;
 
 /// State of the window, and not of the figure.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings {
     /// The language of the interface.
-    pub lang: Lang,
+    pub lang: camera_lab_words::Lang,
     /// The zoom of the whole interface, without that of the presentation.
     pub zoom: f32,
     /// Large type and thick strokes, for a projector.
@@ -29,7 +27,7 @@ pub struct Settings {
     /// Significant digits of the numbers, 2 … 17.
     pub digits: usize,
     /// The ground of the window and of its pictures. The theme that a figure file asks for counts in written pictures.
-    pub theme: Theme,
+    pub theme: crate::appearance::Theme,
     /// Skip animations.
     pub reduce_motion: bool,
     /// True if the numbers below the operations are unfolded.

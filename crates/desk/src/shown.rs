@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::camera::Ndc;
 use crate::document::Seen;
-use crate::explain::Symbol;
 use crate::explained::steps;
 use crate::figure::{
     Explanation, Figure, Measured, Observers, Screen, Show, ShownProbe, ShownStep, StagePicture, View,
@@ -26,7 +25,7 @@ pub struct PanelHover {
     /// The measures of the hover, shown in the world.
     pub measured: Vec<Measured>,
     /// The parameters pointed at in another panel.
-    pub pointed: Vec<Symbol>,
+    pub pointed: Vec<crate::explain::Symbol>,
 }
 
 /// The panels that explain something in the pictures. Closing one removes its explanation.

@@ -3,7 +3,6 @@
 
 use glam::DVec2;
 
-use crate::Model;
 use crate::camera::{
     Convergence, ImageSize, Parameters, PhotographCamera, PhotographError, PhotographLine, PhotographMarks, WorldAxis,
     camera_of_photograph,
@@ -200,7 +199,7 @@ pub struct CameraList {
     pub was_called: bool,
 }
 
-impl Model {
+impl crate::Model {
     /// Looks through one of the other cameras of the figure.
     pub fn look_through(&mut self, index: usize) {
         self.desk.commit();

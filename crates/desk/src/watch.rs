@@ -1,12 +1,10 @@
 //! Checks beside the window's thread if another program has changed the figure's file.
 
 use std::path::PathBuf;
-use std::time::Duration;
 
 use crate::background::worker::Worker;
 use crate::document::Document;
 use crate::history::Revision;
-use crate::progress::Progress;
 use crate::{Wake, clock};
 use camera_lab_files::{FileChange, Stamp, look};
 
@@ -37,7 +35,7 @@ pub struct Watch {
 impl Default for Watch {
     fn default() -> Self {
         let worker = Worker::new("watch", clock::now, || {
-            async |Watched { path, source, stamp }, _: &Progress| {
+            async |Watched { path, source, stamp }, _: &crate::progress::Progress| {
                 let found = look(&path, source.as_bytes(), stamp);
                 (path, source, found)
             }
@@ -61,7 +59,7 @@ impl Watch {
         if self.of.replace(document.id()) != Some(document.id()) {
             self.forget();
         }
-        let [done] = self.worker.take(Duration::ZERO);
+        let [done] = self.worker.take(std::time::Duration::ZERO);
         let Some((path, source, found)) = done.and_then(|done| done.outcome) else { return };
         if document.path() != Some(&path) || document.source() != source {
             return;

@@ -128,6 +128,8 @@ pub struct ExplainTexts {
     pub total: &'static str,
     /// The meaning of the mark for "timed with another stage".
     pub together: &'static str,
+    /// The way to the study of the figure.
+    pub accuracy: &'static str,
     /// Heads of the columns of cost.
     pub cost: [&'static str; 3],
     /// The sums of cost: of the stages that work on vertices and faces, of those that work on pixels, and of all.
@@ -142,6 +144,7 @@ pub const fn explain(lang: Lang) -> ExplainTexts {
         columns: text!(lang, explain_columns),
         total: text!(lang, explain_total),
         together: text!(lang, explain_together),
+        accuracy: text!(lang, explain_accuracy),
         cost: text!(lang, explain_cost),
         blocks: text!(lang, explain_blocks),
         counted: text!(lang, explain_counted),

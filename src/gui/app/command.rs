@@ -17,20 +17,20 @@ pub struct Menu {
     pub title: fn(&Texts) -> &'static str,
     /// False if its place is elsewhere, at the titles of the pictures.
     pub in_bar: bool,
-    groups: &'static [&'static [Row]],
+    groups: &'static [&'static [CommandRow]],
 }
 
 impl Menu {
     /// Its commands in groups, without those that a window of this kind lacks.
     pub fn groups(&self, model: &Model) -> impl Iterator<Item = impl Iterator<Item = Command>> {
-        let commands = |group: &'static [Row]| group.iter().map(|row| row.command);
+        let commands = |group: &'static [CommandRow]| group.iter().map(|row| row.command);
         self.groups.iter().map(move |group| commands(group).filter(|command| command.is_there(model)))
     }
 }
 
 /// The properties of a command.
 #[derive(Clone, Copy, Debug)]
-struct Row {
+struct CommandRow {
     command: Command,
     shortcut: KeyboardShortcut,
     second_shortcut: Option<KeyboardShortcut>,
@@ -58,7 +58,7 @@ enum InBrowser {
     Nothing,
 }
 
-fn rows() -> impl Iterator<Item = &'static Row> {
+fn rows() -> impl Iterator<Item = &'static CommandRow> {
     MENUS.iter().flat_map(|menu| menu.groups).flat_map(|group| *group)
 }
 
@@ -69,7 +69,7 @@ impl Command {
     }
 
     #[expect(clippy::expect_used, reason = "a test looks for the row of every command")]
-    fn row(self) -> &'static Row {
+    fn row(self) -> &'static CommandRow {
         rows().find(|row| row.command == self).expect("a row")
     }
 
@@ -102,7 +102,7 @@ impl Command {
 
     /// True for keys that call a command in a page of a browser.
     pub fn any_has_in_browser(key: Key, modifiers: Modifiers) -> bool {
-        let mut keys = rows().filter(|row| row.in_browser != InBrowser::WithoutKeys).flat_map(Row::all_keys);
+        let mut keys = rows().filter(|row| row.in_browser != InBrowser::WithoutKeys).flat_map(CommandRow::all_keys);
         keys.any(|keys| keys.logical_key == key && modifiers.matches_exact(keys.modifiers))
     }
 

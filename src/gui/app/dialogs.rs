@@ -17,13 +17,12 @@ use crate::gui::export::export_dialog::{self, Choices};
 use crate::gui::gallery::{self, Chosen};
 use crate::gui::inspector::{coach, compare_dialog, scene};
 use crate::gui::kit::{CANCEL, Command, Explained, Pressed, TextField, buttons, complaint, text_field, theme, written};
-use crate::gui::learn::{handout, lesson};
+use crate::gui::learn::{Learn, handout, lesson};
 use crate::gui::platform::native::Wanted;
-use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
 use camera_lab_desk::desk::Reply;
-use camera_lab_desk::{Comparison, Intent, LineOrigin, Model, Source};
+use camera_lab_desk::{Intent, LineComparison, LineOrigin, Message, Model, Source};
 use camera_lab_words::learn::{exercise_window, lessons};
 use camera_lab_words::window::{self, Texts, canvas, gallery as gallery_words, scenes, sharing};
 
@@ -46,7 +45,9 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let t = window::texts(state.model.settings.lang);
     match dialog {
         Dialog::Qr => {
-            qr::show(ctx, state, first);
+            if qr::show(ctx, &state.model, &state.learn, &mut state.sharing, first) {
+                state.file_flow.show(Dialog::Qr);
+            }
             return None;
         }
         Dialog::Compare(form) => {
@@ -116,7 +117,7 @@ const fn width(dialog: &Dialog) -> f32 {
 /// The content of a dialog. One that stays open goes back into `file_flow`.
 fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog, first: bool) -> Option<Command> {
     let ctx = &ui.ctx().clone();
-    if let Some(question) = Question::of(&dialog, t, state) {
+    if let Some(question) = Question::of(&dialog, t, &state.model, &state.learn, state.file_flow.refused.as_ref()) {
         match question.show(ui, t, first) {
             Pressed::Action(button) => answer(ctx, state, dialog, button),
             Pressed::Cancel => {}
@@ -152,8 +153,8 @@ fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog,
         Dialog::Help => help(ui, t, &state.model, first).then_some(Dialog::Help),
         Dialog::About => about(ui, t, first).then_some(Dialog::About),
         Dialog::Link => {
-            link_dialog::show(ui, t, state, first);
-            None
+            let State { model, learn, sharing, file_flow, .. } = &mut *state;
+            link_dialog::show(ui, t, model, learn, (sharing, file_flow.refused.as_ref()), first)
         }
         Dialog::Coach => coach::show(ui, t, &mut state.model, first).then_some(Dialog::Coach),
         Dialog::Search => return search::show(ui, state, first),
@@ -212,7 +213,7 @@ struct Question {
     text: String,
     /// The reason why the question arises, if there is a fault.
     fault: Option<String>,
-    comparison: Option<Comparison>,
+    comparison: Option<LineComparison>,
     buttons: Vec<&'static str>,
     /// The button that Enter presses. The choice that loses nothing.
     default: usize,
@@ -220,8 +221,8 @@ struct Question {
 
 impl Question {
     /// The question of a dialog, unless it has fields.
-    fn of(dialog: &Dialog, t: &'static Texts, state: &State) -> Option<Self> {
-        let lang = state.model.settings.lang;
+    fn of(dialog: &Dialog, t: &'static Texts, model: &Model, learn: &Learn, refused: Option<&Message>) -> Option<Self> {
+        let lang = model.settings.lang;
         let asked = |title: &str, text: String, buttons: Vec<&'static str>| Self {
             title: title.to_owned(),
             text,
@@ -232,14 +233,14 @@ impl Question {
         };
         Some(match dialog {
             Dialog::Unsaved => {
-                let text = format!("{} {}", t.unsaved_text, state.model.figure_name());
+                let text = format!("{} {}", t.unsaved_text, model.figure_name());
                 Self { default: 1, ..asked(t.unsaved_title, text, vec![t.dont_save, t.save_first]) }
             }
             Dialog::UnsavedText => {
                 let words = lessons::texts(lang);
                 let mut buttons = vec![t.dont_save];
-                buttons.extend(state.learn.has_good_text().then_some(words.save_copy));
-                let fault = state.file_flow.refused.as_ref().map(|why| why.text(lang));
+                buttons.extend(learn.has_good_text().then_some(words.save_copy));
+                let fault = refused.map(|why| why.text(lang));
                 Self { fault, ..asked(words.unsaved_text_title, words.unsaved_text.to_owned(), buttons) }
             }
             Dialog::Overwrite(purpose, path) => {
@@ -249,7 +250,7 @@ impl Question {
                 asked(t.overwrite_title, format!("{} {text}", names.join(", ")), vec![t.replace])
             }
             Dialog::Changed(Changed { theirs, comparison, .. }) => {
-                let name = state.model.desk.shown.path().map(|path| sanitize::path(path)).unwrap_or_default();
+                let name = model.desk.shown.path().map(|path| sanitize::path(path)).unwrap_or_default();
                 let offers = comparison.is_none() && theirs.is_some();
                 let buttons = offers.then_some(t.compare).into_iter().chain([t.replace, t.save_as]).collect();
                 let text = format!("{name} {}", t.changed_text);
@@ -321,7 +322,7 @@ fn answer_changed(ctx: &egui::Context, state: &mut State, mut changed: Changed, 
     match (button + 1).checked_sub(offers) {
         Some(0) => {
             let theirs = String::from_utf8_lossy(changed.theirs.as_deref().unwrap_or_default()).into_owned();
-            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(&state.model)));
+            changed.comparison = Some(LineComparison::new(&theirs, &file_flow::text_to_save(&state.model)));
             state.file_flow.dialog = Some(Dialog::Changed(changed));
         }
         Some(1) => {
@@ -355,7 +356,7 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
 }
 
 /// The differing lines: those of the file with −, those of the window with +.
-fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
+fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &LineComparison) {
     let visuals = ui.visuals().clone();
     ui.label(RichText::new(t.compare_file).monospace().color(visuals.error_fg_color));
     ui.label(RichText::new(t.compare_mine).monospace().color(visuals.hyperlink_color));
@@ -394,7 +395,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         (false, false) => (t.path_text, t.path_hint),
     };
     ui.label(which);
-    let field = TextField::line(&mut path, MAX_TYPED);
+    let field = TextField::line(&mut path, crate::limits::MAX_TYPED);
     let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(hint));
     let response = field.show(ui, state.model.settings.lang).accessible_name(t.path_name);
     if first {
@@ -503,7 +504,8 @@ fn third_party(_: &egui::Context) -> Option<&'static str> {
 }
 
 /// The program: its version, its licence, and those of its components. They're built in, so a single copied file has
-/// them too. Only in a browser they stand beside the program, in its page. `first` is true when it has just been opened. False once it's closed.
+/// them too. Only in a browser they stand beside the program, in its page. `first` is true when it has just been
+/// opened. False once it's closed.
 fn about(ui: &mut egui::Ui, t: &Texts, first: bool) -> bool {
     ui.heading(format!("Camera Lab {}", env!("CARGO_PKG_VERSION")));
     ui.add_space(6.0);

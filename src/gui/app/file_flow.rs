@@ -28,13 +28,11 @@ use crate::gui::app::file_flow::opening::{mesh, open_shipped, photograph, textur
 use crate::gui::app::file_flow::questions::{Agreed, Asking, Changed, Dialog, FileFlow, Purpose, TitleForm};
 use crate::gui::app::file_flow::reading::Take;
 use crate::gui::app::file_flow::saving::{Save, Saved};
-use crate::gui::app::file_flow::sequence::Search;
+use crate::gui::app::file_flow::sequence::FigureSearch;
 use crate::gui::app::state::State;
 use crate::gui::export::{ExportKind, Exporting, Task, save_chart};
-use crate::gui::inspector::state::compare::{self, CompareForm};
 use crate::gui::kit::frames;
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
-use crate::picture::file_beside;
 use crate::scene::Shape;
 use crate::scene::import::MESH_ENDINGS;
 use camera_lab_desk::desk::{Losses, Need, Reply};
@@ -104,20 +102,16 @@ fn meet(ctx: &egui::Context, state: &mut State, need: Need) {
             }
         }
         Need::Do(Intent::Restore(slot)) => state.file_flow.restore = Some(slot),
-        Need::Do(Intent::Quit) => quit(ctx, state),
+        // On to the next document that closing would lose. If there are none left, the window closes.
+        Need::Do(Intent::Quit) => match state.model.desk.next_to_close(state.model.is_unsaved()) {
+            Some(document) => {
+                state.learn.take_over(&mut state.model, document);
+                begin(ctx, state, Intent::Quit);
+            }
+            None if state.file_flow.exporting.is_empty() => close(ctx, &mut state.file_flow),
+            None => state.file_flow.show(Dialog::Closing),
+        },
         Need::Nothing => {}
-    }
-}
-
-/// Goes on to the next document that closing would lose. If there are none left, closes the window.
-fn quit(ctx: &egui::Context, state: &mut State) {
-    if let Some(document) = state.model.desk.next_to_close(state.model.is_unsaved()) {
-        state.learn.take_over(&mut state.model, document);
-        begin(ctx, state, Intent::Quit);
-    } else if state.file_flow.exporting.is_empty() {
-        close(ctx, &mut state.file_flow);
-    } else {
-        state.file_flow.dialog = Some(Dialog::Closing);
     }
 }
 
@@ -131,7 +125,7 @@ pub fn close(ctx: &egui::Context, file_flow: &mut FileFlow) {
 pub fn save(ctx: &egui::Context, state: &mut State) {
     let named = || state.model.in_browser.then(|| FileKind::of(state, &Purpose::Save).proposal());
     match state.model.desk.shown.path().cloned().or_else(named) {
-        Some(path) => write(ctx, state, Save::of(state, path, Agreed::default())),
+        Some(path) => write(ctx, state, Save::of(&state.model, path, Agreed::default())),
         None => ask(ctx, state, Purpose::Save),
     }
 }
@@ -156,15 +150,14 @@ pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
         state.file_flow.asking = Some(Asking { purpose, document, question, dialog: None });
         ctx.request_repaint();
     } else {
-        ask_in_window(state, purpose);
+        ask_in_window(&mut state.file_flow, purpose, &kind);
     }
 }
 
 /// Asks for the path of a file in a field.
-fn ask_in_window(state: &mut State, purpose: Purpose) {
-    let text = FileKind::of(state, &purpose).proposal().display().to_string();
-    state.file_flow.refused = None;
-    state.file_flow.dialog = Some(Dialog::Path(purpose, text));
+fn ask_in_window(file_flow: &mut FileFlow, purpose: Purpose, kind: &FileKind) {
+    file_flow.refused = None;
+    file_flow.show(Dialog::Path(purpose, kind.proposal().display().to_string()));
 }
 
 /// Opens the system's dialog for the waiting question, in front of the window of `frame`.
@@ -183,7 +176,10 @@ fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
     match (answer, purpose) {
         (FileAnswer::Cancelled, _) => {}
         // The next question may have a dialog again.
-        (FileAnswer::Unavailable, purpose) => ask_in_window(state, purpose),
+        (FileAnswer::Unavailable, purpose) => {
+            let kind = FileKind::of(state, &purpose);
+            ask_in_window(&mut state.file_flow, purpose, &kind);
+        }
         (FileAnswer::Chosen(path), Purpose::Open) if !is_same => begin(ctx, state, Intent::OpenPath(path)),
         (FileAnswer::Chosen(path), purpose) if is_same || !purpose.is_about_figure() => {
             chosen(ctx, state, purpose, path);
@@ -219,7 +215,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
 pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
     let writes_pictures =
         matches!(purpose, Purpose::Export(_) | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_)));
-    let beside = file_beside(path).filter(|_| writes_pictures);
+    let beside = crate::picture::file_beside(path).filter(|_| writes_pictures);
     std::iter::once(path.to_owned()).chain(beside).filter(|path| disk::may_exist(path)).collect()
 }
 
@@ -227,9 +223,9 @@ pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
 pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path, agreed: Agreed) {
     match purpose {
         Purpose::Open => open(ctx, state, path),
-        Purpose::Save => write(ctx, state, Save::of(state, path.to_owned(), agreed)),
+        Purpose::Save => write(ctx, state, Save::of(&state.model, path.to_owned(), agreed)),
         Purpose::SaveWithFiles => {
-            write(ctx, state, Save { with_files: true, ..Save::of(state, path.to_owned(), agreed) });
+            write(ctx, state, Save { with_files: true, ..Save::of(&state.model, path.to_owned(), agreed) });
         }
         Purpose::Export(_)
         | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_) | FileFor::Progress)
@@ -243,7 +239,10 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::For(FileFor::Mesh(which)) => mesh(&mut state.model, which, path),
-        Purpose::For(FileFor::CompareWith) => compare_with(ctx, state, path.to_owned()),
+        Purpose::For(FileFor::CompareWith) => {
+            let path = path.to_owned();
+            read(ctx, state, path.clone(), move || opening::read_compared(path));
+        }
         Purpose::For(FileFor::Texture(object)) => texture(&mut state.model, &object, path),
         Purpose::For(FileFor::Photograph) => photograph(&mut state.model, path),
         Purpose::For(FileFor::Progress) => {
@@ -297,10 +296,14 @@ fn say_whether_saved(model: &mut Model, path: &Path, saved: Result<(), FileError
     }
 }
 
-fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf, Overwrite)) {
-    let task = Task::new(&state.model, &state.family, what, to);
-    state.file_flow.exporting.push(Exporting::start(ctx, task));
-    state.model.say(Message::Exporting);
+fn export(
+    ctx: &egui::Context,
+    State { model, family, file_flow, .. }: &mut State,
+    what: ExportKind,
+    to: (PathBuf, Overwrite),
+) {
+    file_flow.exporting.push(Exporting::start(ctx, Task::new(model, family, what, to)));
+    model.say(Message::Exporting);
 }
 
 /// Opens a figure, a lesson, or a link in a file. A figure that was left with changes returns with them.
@@ -320,23 +323,11 @@ fn open(ctx: &egui::Context, state: &mut State, path: &Path) {
 /// Moves on to the next figure, or back to the one before.
 pub fn step(ctx: &egui::Context, state: &mut State, forwards: bool) {
     state.model.desk.commit();
-    let search = Search::of(&state.model, forwards);
+    let search = FigureSearch::of(&state.model, forwards);
     let folder = search.folder().map(Path::to_owned).unwrap_or_default();
     read(ctx, state, folder, move || {
         let found = search.find();
         Box::new(move |_, state, _| sequence::show(state, found))
-    });
-}
-
-/// Compares with the figure in a file, and shows the comparison.
-fn compare_with(ctx: &egui::Context, state: &mut State, path: PathBuf) {
-    read(ctx, state, path.clone(), move || {
-        let opened = files::open_figure_with_any_camera(&path).map(|(opened, _)| opened);
-        Box::new(move |_, state, _| {
-            if compare::with_file(&mut state.model, &path, opened) {
-                state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.model.desk.shown.figure())));
-            }
-        })
     });
 }
 
@@ -457,7 +448,14 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         if state.would_lose_something() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            ask_before_closing(ctx, state);
+            if !state.is_closing() {
+                // We don't wait for the answer of a system dialog any more. If the window stays, an open dialog comes
+                // back.
+                state.file_flow.asking = None;
+                let document = state.model.desk.shown.id();
+                state.file_flow.covered = state.file_flow.dialog.take().map(|dialog| (document, dialog));
+                begin(ctx, state, Intent::Quit);
+            }
         } else {
             state.file_flow.may_close = true;
         }
@@ -466,19 +464,6 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
         let covered = state.file_flow.covered.take().filter(|(document, _)| *document == state.model.desk.shown.id());
         state.file_flow.dialog = covered.map(|(_, dialog)| dialog);
     }
-}
-
-/// Asks about the losses of closing the window. If the window stays, a dialog that was open comes back.
-fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
-    if state.is_closing() {
-        // The question has been asked.
-        return;
-    }
-    // We don't wait for the answer of a system dialog any more.
-    state.file_flow.asking = None;
-    let document = state.model.desk.shown.id();
-    state.file_flow.covered = state.file_flow.dialog.take().map(|dialog| (document, dialog));
-    begin(ctx, state, Intent::Quit);
 }
 
 /// Opens files that were dropped, or given to a page. The first one waits until no question is open that it would

@@ -11,16 +11,17 @@ use eframe::egui;
 
 use super::state::State;
 use super::{App, dialogs, menu, presentation, status};
+use crate::figure::Explanation;
 use crate::gui::app::file_flow::questions::{Dialog, Purpose};
 use crate::gui::app::file_flow::{self, ask, begin};
 use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::inspector::{numerics, operations, parameters, values};
 use crate::gui::kit::{Command, Region, context_help, focus, frames, text_field, tooltip};
 use crate::gui::learn::{exercises, lesson};
-use crate::gui::pictures::long_work::is_long;
-use crate::gui::pictures::{Canvas, Inputs, motion};
 use crate::gui::storage::recovery::{self, Decision};
 use crate::gui::storage::session_news;
+use crate::gui::views::long_work::is_long;
+use crate::gui::views::{Canvas, Inputs, motion};
 use crate::gui::why;
 use camera_lab_desk::{Action, Intent, Kept, Model, PanelHover, Side};
 use camera_lab_words::window::{self, Texts};
@@ -125,7 +126,9 @@ impl App {
     fn notices(&mut self, ui: &mut egui::Ui) {
         self.recovery(ui);
         session_news::bar(ui, self.state.model.settings.lang, &mut self.state.file_flow.news);
-        status::changed_file(ui, &mut self.state);
+        if let Some(intent) = status::changed_file(ui, &self.state.model, &mut self.state.file_flow) {
+            begin(ui.ctx(), &mut self.state, intent);
+        }
         if let Some(command) = lesson::welcome(ui, &mut self.state.model, &mut self.state.learn) {
             self.perform(ui.ctx(), command);
         }
@@ -166,18 +169,32 @@ impl App {
             egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
-                let State { model, explain, learn, .. } = &mut self.state;
-                why::ui(ui, model, explain, &mut |ui, model, part| match part {
-                    why::Part::Exercise => exercises::head(ui, model, learn),
-                    why::Part::Exercises => exercises::ui(ui, model, learn),
-                    why::Part::Matrices => {
-                        let compared = model.settings.conventions.compared;
-                        values::list(ui, model, false, compared, |table| table.is_matrix());
-                    }
-                });
+                self.explanation(ui);
             });
             name_handle(ui, id, t.panel_width);
         }
+    }
+
+    /// The chosen explanation. Other features show the exercises, and the matrices in the chosen conventions.
+    fn explanation(&mut self, ui: &mut egui::Ui) {
+        let State { model, explain, learn, .. } = &mut self.state;
+        why::head(ui, model, explain);
+        let shown = model.explained.shown();
+        if shown == Explanation::Exercises {
+            exercises::head(ui, model, learn);
+            ui.separator();
+        }
+        egui::ScrollArea::vertical().id_salt(("explain", shown)).auto_shrink(false).show(ui, |ui| {
+            match shown {
+                Explanation::Exercises => exercises::ui(ui, model, learn),
+                _ => why::content(ui, model, explain),
+            }
+            if shown == Explanation::Conventions {
+                let compared = model.settings.conventions.compared;
+                values::list(ui, model, false, compared, |table| table.is_matrix());
+            }
+            focus::keep_in_sight(ui);
+        });
     }
 
     /// Operations above, at their own height but not more than about half if the numbers below are unfolded.
@@ -332,6 +349,10 @@ fn perform_request(ctx: &egui::Context, state: &mut State) {
             if state.learn.lesson.is_some() {
                 state.learn.take_offer(&mut state.model);
             }
+            return;
+        }
+        Action::Examine => {
+            (state.numerics.shown, state.numerics.of_figure) = (true, true);
             return;
         }
         Action::Note(note) => return state.explain.explain_by_note(&mut state.model, note),

@@ -3,8 +3,6 @@
 //! egui's own list of keys is no help here. It removes a key by its logical name, but the same key goes down as `+` and
 //! comes up as `=` if Shift is released first. Then `+` would be held until the window loses the focus.
 
-use std::time::Duration;
-
 use eframe::egui::{Context, Event, InputState, Key};
 
 /// No system waits longer before a held key repeats, nor between two repeats.
@@ -43,7 +41,7 @@ impl HeldKey {
         let now = ctx.input(|input| input.time);
         let left = self.key.map_or(0.0, |(_, at)| at + LONGEST_PAUSE - now);
         if left > 0.0 {
-            ctx.request_repaint_after(Duration::from_secs_f64(left));
+            ctx.request_repaint_after(std::time::Duration::from_secs_f64(left));
         }
         left > 0.0
     }

@@ -8,7 +8,6 @@ use crate::appearance::Theme;
 use crate::figure::words::{self, THEMES, Words};
 use crate::lessons::{OpenLesson, shipped};
 use crate::views::{View, Views};
-use camera_lab_desk::Model;
 use camera_lab_words::Lang;
 
 /// The languages, by the names that `--lang` has for them.
@@ -59,7 +58,7 @@ impl LaunchOptions {
     }
 
     /// Sets a window up so, but for the lesson.
-    pub fn apply(self, model: &mut Model) {
+    pub fn apply(self, model: &mut camera_lab_desk::Model) {
         let settings = &mut model.settings;
         settings.lang = self.lang.unwrap_or(settings.lang);
         settings.theme = self.theme.unwrap_or(settings.theme);

@@ -7,7 +7,6 @@ use crate::gui::app::state::State;
 use crate::gui::app::status;
 use crate::gui::kit::{Command, Explained, elide, with_room_before, written};
 use crate::gui::learn::Learn;
-use crate::sanitize::escaped;
 use camera_lab_desk::Model;
 use camera_lab_words::window::{self, Texts};
 
@@ -63,7 +62,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         }
         ui.separator();
         for (command, sign) in HISTORY {
-            if switch(ui, t, state, command, sign) {
+            if switch(ui, t, &state.model, command, sign, (command.is_enabled(state), false)) {
                 chosen = Some(command);
             }
         }
@@ -80,7 +79,8 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
             let width = ui.ctx().content_rect().width();
             for Switch { command, sign, word } in SWITCHES {
                 let text = sign.filter(|(_, least)| width < *least).map_or_else(|| word(t), |(text, _)| text);
-                if switch(ui, t, state, *command, text) {
+                let on = command.is_on(state).unwrap_or(false);
+                if switch(ui, t, &state.model, *command, text, (command.is_enabled(state), on)) {
                     switched = Some(*command);
                 }
             }
@@ -104,7 +104,8 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
                     if place == 0 && !std::mem::take(&mut is_first) {
                         ui.separator();
                     }
-                    if item(ui, t, state, (command, has_marks)) {
+                    let is_on = if has_marks { Some(command.is_on(state).unwrap_or(false)) } else { None };
+                    if item(ui, t, &state.model, command, (command.is_enabled(state), is_on)) {
                         chosen = Some(command);
                         ui.close();
                     }
@@ -115,20 +116,16 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
     chosen
 }
 
-/// `has_marks` is true if some entries of its menu can be on.
-fn item(ui: &mut egui::Ui, t: &Texts, state: &State, (command, has_marks): (Command, bool)) -> bool {
-    let keys = keys(ui, &state.model, command);
-    let mark = match command.is_on(state) {
+/// An entry of a menu, enabled, and on, off, or `None` if no entry of its menu can be on.
+fn item(ui: &mut egui::Ui, t: &Texts, model: &Model, command: Command, (enabled, on): (bool, Option<bool>)) -> bool {
+    let keys = keys(ui, model, command);
+    let mark = match on {
         Some(true) => "✔ ",
         Some(false) => "    ",
-        None if has_marks => "    ",
         None => "",
     };
     let button = Button::new(format!("{mark}{}", command.label(t))).shortcut_text(keys.unwrap_or_default());
-    ui.add_enabled(command.is_enabled(state), button)
-        .explained(command.hint(t))
-        .explained_disabled(command.hint_disabled(t))
-        .clicked()
+    ui.add_enabled(enabled, button).explained(command.hint(t)).explained_disabled(command.hint_disabled(t)).clicked()
 }
 
 /// The written keys of a command, if it has any here.
@@ -136,11 +133,19 @@ fn keys(ui: &egui::Ui, model: &Model, command: Command) -> Option<String> {
     command.keys(model).next().map(|keys| written(ui.ctx(), &keys, model.settings.lang))
 }
 
-fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &str) -> bool {
-    let keys = keys(ui, &state.model, command).map(|keys| format!(" ({keys})"));
+/// A button of the bar, enabled, and on.
+fn switch(
+    ui: &mut egui::Ui,
+    t: &Texts,
+    model: &Model,
+    command: Command,
+    sign: &str,
+    (enabled, on): (bool, bool),
+) -> bool {
+    let keys = keys(ui, model, command).map(|keys| format!(" ({keys})"));
     let hint = format!("{}{}\n{}", command.label(t), keys.unwrap_or_default(), command.hint(t));
-    let button = Button::selectable(command.is_on(state).unwrap_or(false), sign);
-    ui.add_enabled(command.is_enabled(state), button)
+    let button = Button::selectable(on, sign);
+    ui.add_enabled(enabled, button)
         .explained(&hint)
         .explained_disabled(&hint)
         .accessible_name(command.label(t))
@@ -148,7 +153,7 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
 }
 
 fn title(ui: &mut egui::Ui, t: &Texts, model: &Model, learn: &Learn, chosen: &mut Option<Command>) {
-    let name = escaped(&model.figure_name());
+    let name = crate::sanitize::escaped(&model.figure_name());
     let is_marked = learn.is_marked(model);
     let text = if is_marked { format!("{name} •") } else { name };
     for command in [Command::Gallery, Command::Search] {

@@ -31,10 +31,9 @@ use crate::gui::app::presentation::RestingPointer;
 use crate::gui::app::state::State;
 use crate::gui::app::tab_order::KeyOrder;
 use crate::gui::kit::{Command, Focus, text_field, theme};
-use crate::gui::pictures::Canvas;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gui::platform::window_size::{Opening, Whereabouts};
-use crate::sanitize;
+use crate::gui::views::Canvas;
 use camera_lab_desk::{Keeping, Message, Restored, Sessions};
 
 /// The window's program.
@@ -211,7 +210,7 @@ impl App {
     fn update_title(&mut self, ctx: &egui::Context) {
         let name = self.state.model.figure_name();
         let mark = if self.state.learn.is_marked(&self.state.model) { " •" } else { "" };
-        let title = format!("{}{mark} – Camera Lab", sanitize::escaped(&name));
+        let title = format!("{}{mark} – Camera Lab", crate::sanitize::escaped(&name));
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;

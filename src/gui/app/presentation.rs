@@ -8,12 +8,11 @@ use eframe::egui::{
     Pos2, RawInput, Rect, Sense, Shape, Stroke, TextStyle, Ui, vec2,
 };
 
-use super::menu;
 use crate::gui::app::file_flow::questions::FileFlow;
 use crate::gui::app::state::State;
 use crate::gui::kit::{Command, theme};
 use crate::gui::learn::Learn;
-use crate::gui::pictures::annotations::Annotations;
+use crate::gui::views::annotations::Annotations;
 use camera_lab_desk::Model;
 use camera_lab_words::learn::lessons;
 use camera_lab_words::{told, window};
@@ -145,7 +144,7 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     let shown = area.show(ctx, |ui| {
         ui.set_width(ctx.content_rect().width());
         let frame = egui::Frame::side_top_panel(ui.style()).fill(ui.visuals().panel_fill);
-        frame.show(ui, |ui| menu::bar(ui, state)).inner
+        frame.show(ui, |ui| super::menu::bar(ui, state)).inner
     });
     shown.inner
 }

@@ -17,9 +17,7 @@ use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::list;
 use crate::gui::why;
 use crate::lessons::{OpenLesson, shipped};
-use crate::limits::MAX_TYPED_NAME;
 use camera_lab_desk::{Intent, Memo, Model, ObserverChange, Side, Tab};
-use camera_lab_files::SHIPPED_FIGURES;
 use camera_lab_words::learn::exercises as exercise_words;
 use camera_lab_words::why::{explain as explain_words, notes};
 use camera_lab_words::window::search::{also_called, folded, has_words};
@@ -40,12 +38,12 @@ pub struct Search {
     /// The place of the result that Enter opens.
     pub chosen: usize,
     /// The results by the words and the language, as long as it's open. Nothing behind it changes meanwhile.
-    results: Memo<(String, Lang), Arc<[Entry]>>,
+    results: Memo<(String, Lang), Arc<[SearchEntry]>>,
 }
 
 /// The target of a result.
 #[derive(Clone, Debug, PartialEq)]
-enum Target {
+enum SearchTarget {
     Command(Command),
     /// The row of an operation, opened.
     Operation(Freedom),
@@ -66,8 +64,8 @@ enum Target {
 
 /// Something that can be found.
 #[derive(Debug)]
-struct Entry {
-    target: Target,
+struct SearchEntry {
+    target: SearchTarget,
     /// The word for its kind.
     kind: &'static str,
     title: Cow<'static, str>,
@@ -92,77 +90,77 @@ const PARAMETERS: [Parameter; 11] = [
     (Tab::Camera, "", |t| t.viewport),
 ];
 
-/// The place of a key of figure files in the window. A name of a section counts for its keys without a row of their own.
-type Home = (&'static str, fn(&window::Texts) -> Target);
+/// The place of a key of figure files in the window. The name of a section counts for its keys without a row.
+type Home = (&'static str, fn(&window::Texts) -> SearchTarget);
 
 const HOMES: &[Home] = &[
-    ("title", |_| Target::Command(Command::Title)),
-    ("caption", |_| Target::Command(Command::Title)),
-    ("camera.position", |_| Target::Parameter(Tab::Camera, "C x")),
-    ("camera.focal_point", |_| Target::Parameter(Tab::Camera, "PF x")),
-    ("camera.view_up", |_| Target::Parameter(Tab::Camera, "VUP x")),
-    ("camera.view_angle", |_| Target::Parameter(Tab::Camera, "θ")),
-    ("camera.height", |_| Target::Parameter(Tab::Camera, "H")),
-    ("camera.aspect", |_| Target::Parameter(Tab::Camera, "A")),
-    ("camera.near", |_| Target::Parameter(Tab::Camera, "F")),
-    ("camera.far", |_| Target::Parameter(Tab::Camera, "B")),
-    ("camera", |_| Target::Parameter(Tab::Camera, "")),
-    ("cameras", |t| Target::Parameter(Tab::Camera, cameras::texts(t.lang).add)),
-    ("image.photograph", |t| Target::Parameter(Tab::Camera, photograph::texts(t.lang).choose_title)),
-    ("image.photograph_opacity", |t| Target::Parameter(Tab::Camera, photograph::texts(t.lang).opacity)),
-    ("image", |_| Target::Parameter(Tab::Camera, "m")),
-    ("viewport", |_| Target::Parameter(Tab::Camera, "")),
-    ("scene", |_| Target::Parameter(Tab::Scene, "")),
-    ("points", |_| Target::Explanation(Explanation::Point)),
-    ("style.shading", |t| Target::Parameter(Tab::Drawing, t.shading)),
-    ("style.visibility", |_| Target::Explanation(Explanation::HiddenSurfaces)),
-    ("style.hidden_lines", |t| Target::Parameter(Tab::Drawing, t.hidden_lines)),
-    ("style.antialias", |t| Target::Parameter(Tab::Drawing, t.antialias)),
-    ("style.theme", |t| Target::Parameter(Tab::Drawing, t.file_theme)),
-    ("style.depth_format", |_| Target::Explanation(Explanation::Depth)),
-    ("reveal.depth", |_| Target::Explanation(Explanation::Depth)),
-    ("reveal.outside", |_| Target::Explanation(Explanation::Clipping)),
-    ("reveal.clipping", |_| Target::Explanation(Explanation::Clipping)),
-    ("reveal.divide_first", |_| Target::Explanation(Explanation::Clipping)),
-    ("reveal.culled", |_| Target::Explanation(Explanation::HiddenSurfaces)),
-    ("reveal.vanishing", |_| Target::Explanation(Explanation::Homogeneous)),
-    ("reveal.single_precision", |_| Target::Command(Command::Numerics)),
-    ("reveal", |_| Target::Parameter(Tab::Scene, "")),
-    ("world.section", |_| Target::Command(Command::Section)),
-    ("world.dimensions", |_| Target::Command(Command::Dimensions)),
-    ("world.window_opacity", |t| Target::Parameter(Tab::Drawing, t.window_opacity)),
-    ("world.axes_length", |t| Target::Parameter(Tab::Drawing, t.axes_length)),
-    ("world", |_| Target::Parameter(Tab::Drawing, "")),
-    ("observers", |_| Target::Command(Command::Observe(ObserverChange::Fit))),
-    ("show.operations", |t| Target::AmongOperations(t.keep_operation)),
-    ("show.stage", |_| Target::Explanation(Explanation::Stages)),
-    ("show.stage_of", |_| Target::Explanation(Explanation::Stages)),
-    ("show.painted", |_| Target::Explanation(Explanation::HiddenSurfaces)),
-    ("show.step", |_| Target::Explanation(Explanation::Steps)),
-    ("show.triangle", |_| Target::Explanation(Explanation::Triangle)),
-    ("show.probe", |_| Target::Explanation(Explanation::Point)),
-    ("show.order", |_| Target::Explanation(Explanation::Order)),
-    ("show.ndc", |_| Target::Explanation(Explanation::Conventions)),
-    ("show.answer", |_| Target::Explanation(Explanation::Exercises)),
-    ("show", |_| Target::Explanation(Explanation::Matrices)),
-    ("screen", |_| Target::Command(Command::Arrange(None))),
-    ("compare", |_| Target::Command(Command::Compare)),
-    ("labels", |_| Target::Command(Command::Labels)),
+    ("title", |_| SearchTarget::Command(Command::Title)),
+    ("caption", |_| SearchTarget::Command(Command::Title)),
+    ("camera.position", |_| SearchTarget::Parameter(Tab::Camera, "C x")),
+    ("camera.focal_point", |_| SearchTarget::Parameter(Tab::Camera, "PF x")),
+    ("camera.view_up", |_| SearchTarget::Parameter(Tab::Camera, "VUP x")),
+    ("camera.view_angle", |_| SearchTarget::Parameter(Tab::Camera, "θ")),
+    ("camera.height", |_| SearchTarget::Parameter(Tab::Camera, "H")),
+    ("camera.aspect", |_| SearchTarget::Parameter(Tab::Camera, "A")),
+    ("camera.near", |_| SearchTarget::Parameter(Tab::Camera, "F")),
+    ("camera.far", |_| SearchTarget::Parameter(Tab::Camera, "B")),
+    ("camera", |_| SearchTarget::Parameter(Tab::Camera, "")),
+    ("cameras", |t| SearchTarget::Parameter(Tab::Camera, cameras::texts(t.lang).add)),
+    ("image.photograph", |t| SearchTarget::Parameter(Tab::Camera, photograph::texts(t.lang).choose_title)),
+    ("image.photograph_opacity", |t| SearchTarget::Parameter(Tab::Camera, photograph::texts(t.lang).opacity)),
+    ("image", |_| SearchTarget::Parameter(Tab::Camera, "m")),
+    ("viewport", |_| SearchTarget::Parameter(Tab::Camera, "")),
+    ("scene", |_| SearchTarget::Parameter(Tab::Scene, "")),
+    ("points", |_| SearchTarget::Explanation(Explanation::Point)),
+    ("style.shading", |t| SearchTarget::Parameter(Tab::Drawing, t.shading)),
+    ("style.visibility", |_| SearchTarget::Explanation(Explanation::HiddenSurfaces)),
+    ("style.hidden_lines", |t| SearchTarget::Parameter(Tab::Drawing, t.hidden_lines)),
+    ("style.antialias", |t| SearchTarget::Parameter(Tab::Drawing, t.antialias)),
+    ("style.theme", |t| SearchTarget::Parameter(Tab::Drawing, t.file_theme)),
+    ("style.depth_format", |_| SearchTarget::Explanation(Explanation::Depth)),
+    ("reveal.depth", |_| SearchTarget::Explanation(Explanation::Depth)),
+    ("reveal.outside", |_| SearchTarget::Explanation(Explanation::Clipping)),
+    ("reveal.clipping", |_| SearchTarget::Explanation(Explanation::Clipping)),
+    ("reveal.divide_first", |_| SearchTarget::Explanation(Explanation::Clipping)),
+    ("reveal.culled", |_| SearchTarget::Explanation(Explanation::HiddenSurfaces)),
+    ("reveal.vanishing", |_| SearchTarget::Explanation(Explanation::Homogeneous)),
+    ("reveal.single_precision", |_| SearchTarget::Command(Command::Numerics)),
+    ("reveal", |_| SearchTarget::Parameter(Tab::Scene, "")),
+    ("world.section", |_| SearchTarget::Command(Command::Section)),
+    ("world.dimensions", |_| SearchTarget::Command(Command::Dimensions)),
+    ("world.window_opacity", |t| SearchTarget::Parameter(Tab::Drawing, t.window_opacity)),
+    ("world.axes_length", |t| SearchTarget::Parameter(Tab::Drawing, t.axes_length)),
+    ("world", |_| SearchTarget::Parameter(Tab::Drawing, "")),
+    ("observers", |_| SearchTarget::Command(Command::Observe(ObserverChange::Fit))),
+    ("show.operation", |t| SearchTarget::AmongOperations(t.keep_operation)),
+    ("show.stage", |_| SearchTarget::Explanation(Explanation::Stages)),
+    ("show.stage_of", |_| SearchTarget::Explanation(Explanation::Stages)),
+    ("show.painted", |_| SearchTarget::Explanation(Explanation::HiddenSurfaces)),
+    ("show.step", |_| SearchTarget::Explanation(Explanation::Steps)),
+    ("show.triangle", |_| SearchTarget::Explanation(Explanation::Triangle)),
+    ("show.probe", |_| SearchTarget::Explanation(Explanation::Point)),
+    ("show.moved", |_| SearchTarget::Explanation(Explanation::Order)),
+    ("show.ndc", |_| SearchTarget::Explanation(Explanation::Conventions)),
+    ("show.answer", |_| SearchTarget::Explanation(Explanation::Exercises)),
+    ("show", |_| SearchTarget::Explanation(Explanation::Matrices)),
+    ("screen", |_| SearchTarget::Command(Command::Arrange(None))),
+    ("compare", |_| SearchTarget::Command(Command::Compare)),
+    ("labels", |_| SearchTarget::Command(Command::Labels)),
 ];
 
 /// The place of a key in the window.
-fn home(key: &str, t: &window::Texts) -> Option<Target> {
+fn home(key: &str, t: &window::Texts) -> Option<SearchTarget> {
     let is_of = |name: &str| key.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
     HOMES.iter().find(|(name, _)| is_of(name)).map(|(_, target)| target(t))
 }
 
 /// The keys of figure files. They're names for a file, so they count only once a name like them is typed.
-fn keys(lang: Lang, wanted: &str) -> Vec<Entry> {
+fn keys(lang: Lang, wanted: &str) -> Vec<SearchEntry> {
     if !wanted.contains(['.', '_']) {
         return Vec::new();
     }
     let (kind, t) = (words::texts(lang).key, window::texts(lang));
-    KEYS.iter().filter_map(|key| Some(Entry::new(home(key, t)?, kind, key.as_str(), ""))).collect()
+    KEYS.iter().filter_map(|key| Some(SearchEntry::new(home(key, t)?, kind, key.as_str(), ""))).collect()
 }
 
 /// A matrix and its name among the texts of the window.
@@ -174,9 +172,9 @@ const MATRICES: [NamedMatrix; 3] = [
     (Matrix::ViewProjection, |t| t.product_name),
 ];
 
-impl Entry {
+impl SearchEntry {
     fn new(
-        target: Target,
+        target: SearchTarget,
         kind: &'static str,
         title: impl Into<Cow<'static, str>>,
         about: impl Into<Cow<'static, str>>,
@@ -186,69 +184,69 @@ impl Entry {
 }
 
 /// All searchable entries, in the order of equally good results.
-fn entries(model: &Model, learn: &Learn) -> Vec<Entry> {
+fn entries(model: &Model, learn: &Learn) -> Vec<SearchEntry> {
     let lang = model.settings.lang;
     let (t, t_window) = (words::texts(lang), window::texts(lang));
     let mut all = Vec::new();
     for Descriptor { freedom, .. } in &OPERATIONS {
         let [title, about] = operations::words(*freedom, t_window);
-        all.push(Entry::new(Target::Operation(*freedom), t.operation, title, about));
+        all.push(SearchEntry::new(SearchTarget::Operation(*freedom), t.operation, title, about));
     }
     all.extend(controls(lang));
     let coach = coach_words::texts(lang);
-    all.push(Entry::new(Target::CameraCheck, t.command, coach.coach, coach.coach_hint));
+    all.push(SearchEntry::new(SearchTarget::CameraCheck, t.command, coach.coach, coach.coach_hint));
     for (explanation, question, (title, about)) in why::all(explain_words::texts(lang)) {
-        all.push(Entry::new(Target::Explanation(explanation), question, title, about));
+        all.push(SearchEntry::new(SearchTarget::Explanation(explanation), question, title, about));
     }
     for command in Command::all().filter(|command| *command != Command::Search && command.is_there(model)) {
-        let target = Target::Command(command);
-        all.push(Entry::new(target, t.command, command.label(t_window), command.hint(t_window)));
+        let target = SearchTarget::Command(command);
+        all.push(SearchEntry::new(target, t.command, command.label(t_window), command.hint(t_window)));
     }
     for (tab, field, name) in PARAMETERS {
         let symbol = field.split(' ').next().unwrap_or_default();
         let title = format!("{symbol} {}", name(t_window)).trim().to_owned();
-        all.push(Entry::new(Target::Parameter(tab, field), t.parameter, title, ""));
+        all.push(SearchEntry::new(SearchTarget::Parameter(tab, field), t.parameter, title, ""));
     }
     for (matrix, name) in MATRICES {
         let title = format!("{} {}", matrix.text(), name(t_window));
         let about = explain_words::matrix(lang, matrix);
-        all.push(Entry::new(Target::Matrix(matrix), explain_words::texts(lang).matrices, title, about));
+        all.push(SearchEntry::new(SearchTarget::Matrix(matrix), explain_words::texts(lang).matrices, title, about));
     }
-    for figure in &SHIPPED_FIGURES {
+    for figure in &camera_lab_files::SHIPPED_FIGURES {
         let [title, about] = figure.told().map(|text| told(lang, &text).to_owned());
-        all.push(Entry::new(Target::Figure(figure.name), t.figure, title, about));
+        all.push(SearchEntry::new(SearchTarget::Figure(figure.name), t.figure, title, about));
     }
     for (place, shipped) in shipped().iter().enumerate() {
         let lesson = &shipped.lesson;
         let of_lesson = told(lang, &lesson.title);
         let about = lesson.sentence.as_ref().map_or("", |sentence| told(lang, sentence));
-        all.push(Entry::new(Target::Step(place, 0), t.lesson, of_lesson, about));
+        all.push(SearchEntry::new(SearchTarget::Step(place, 0), t.lesson, of_lesson, about));
         for (k, step) in lesson.steps.iter().enumerate() {
-            all.push(Entry::new(Target::Step(place, k), t.step, told(lang, &step.title), of_lesson));
+            all.push(SearchEntry::new(SearchTarget::Step(place, k), t.step, told(lang, &step.title), of_lesson));
         }
     }
     for note in notes::notes(lang) {
-        all.push(Entry::new(Target::Note(note.id), t.note, note.title, note.searched()));
+        all.push(SearchEntry::new(SearchTarget::Note(note.id), t.note, note.title, note.searched()));
     }
     for entry in learn.exercises.entries() {
-        let target = Target::Exercise(entry.id.clone().into_owned());
+        let target = SearchTarget::Exercise(entry.id.clone().into_owned());
         let about = format!("{} {}", entry.id, entry.source);
-        all.push(Entry::new(target, t.exercise, exercise_words::title(lang, entry).to_owned(), about));
+        all.push(SearchEntry::new(target, t.exercise, exercise_words::title(lang, entry).to_owned(), about));
     }
     all
 }
 
 /// The controls that have names of their own.
-fn controls(lang: Lang) -> Vec<Entry> {
+fn controls(lang: Lang) -> Vec<SearchEntry> {
     let (t, of_cameras, of_predict) = (window::texts(lang), cameras::texts(lang), predict::texts(lang));
     let of_photograph = photograph::texts(lang);
     let shadings = [t.shading_hint, t.shading_wireframe, t.shading_flat, t.shading_gouraud, t.shading_phong];
-    let control = |target, title, about| Entry::new(target, words::texts(lang).control, title, about);
-    let drawing = |name, about| control(Target::Parameter(Tab::Drawing, name), name, about);
-    let among_cameras = |name, title, about| control(Target::Parameter(Tab::Camera, name), title, about);
-    let among_operations = |name, about| control(Target::AmongOperations(name), name, about);
+    let control = |target, title, about| SearchEntry::new(target, words::texts(lang).control, title, about);
+    let drawing = |name, about| control(SearchTarget::Parameter(Tab::Drawing, name), name, about);
+    let among_cameras = |name, title, about| control(SearchTarget::Parameter(Tab::Camera, name), title, about);
+    let among_operations = |name, about| control(SearchTarget::AmongOperations(name), name, about);
     vec![
-        Entry { about: shadings.join(" · ").into(), ..drawing(t.shading, "") },
+        SearchEntry { about: shadings.join(" · ").into(), ..drawing(t.shading, "") },
         drawing(t.hidden_lines, t.hidden_lines_hint),
         drawing(t.antialias, t.antialias_hint),
         drawing(t.window_opacity, t.window_opacity_hint),
@@ -262,15 +260,15 @@ fn controls(lang: Lang) -> Vec<Entry> {
 }
 
 /// The results, best first: the words begin the title, are in it, or are elsewhere, and then the same by other names.
-fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[Entry]> {
+fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[SearchEntry]> {
     let called = also_called(wanted);
     // The ways of shading are its choices.
-    let shading = Target::Parameter(Tab::Drawing, window::texts(model.settings.lang).shading);
-    let rank = |entry: &Entry| {
+    let shading = SearchTarget::Parameter(Tab::Drawing, window::texts(model.settings.lang).shading);
+    let rank = |entry: &SearchEntry| {
         let title = folded(&entry.title);
         let whole = format!("{title} {}", folded(&entry.about));
         // The hint of an explanation is about as short as a title, and users look for it first.
-        let is_explained = matches!(entry.target, Target::Explanation(_));
+        let is_explained = matches!(entry.target, SearchTarget::Explanation(_));
         let is_shading = entry.target == shading;
         let of_name = |name: &str| match name {
             name if title.starts_with(name) || is_shading && has_words(&whole, name) => Some(0),
@@ -308,7 +306,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
         (to, input.key_pressed(Key::Enter))
     });
     let moved = chosen != state.search.chosen;
-    let field = TextField::line(&mut state.search.wanted, MAX_TYPED_NAME);
+    let field = TextField::line(&mut state.search.wanted, crate::limits::MAX_TYPED_NAME);
     let field = field.with(|edit| edit.hint_text(t.field).desired_width(f32::INFINITY));
     let response = field.show(ui, lang).accessible_name(t.title);
     if first {
@@ -324,7 +322,8 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
             ui.label(t.nothing);
         }
         for (i, entry) in results.iter().enumerate() {
-            let row = row(ui, state, entry, i == chosen);
+            let enabled = !matches!(&entry.target, SearchTarget::Command(command) if !command.is_enabled(state));
+            let row = row(ui, &state.model, entry, enabled, i == chosen);
             if moved && i == chosen {
                 row.scroll_to_me(Some(Align::Center));
             }
@@ -344,7 +343,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
     state.search.chosen = chosen;
     let target = wanted?;
     state.file_flow.dialog = None;
-    if let Target::Command(command) = target {
+    if let SearchTarget::Command(command) = target {
         return Some(command).filter(|command| command.is_enabled(state));
     }
     go_to(ui.ctx(), state, target);
@@ -352,28 +351,27 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
 }
 
 /// A result: its title, its kind, and the keys of a command.
-fn row(ui: &mut Ui, state: &State, entry: &Entry, chosen: bool) -> egui::Response {
+fn row(ui: &mut Ui, model: &Model, entry: &SearchEntry, enabled: bool, chosen: bool) -> egui::Response {
     let keys = match &entry.target {
-        Target::Command(command) => {
-            command.keys(&state.model).next().map(|keys| written(ui.ctx(), &keys, state.model.settings.lang))
+        SearchTarget::Command(command) => {
+            command.keys(model).next().map(|keys| written(ui.ctx(), &keys, model.settings.lang))
         }
         _ => None,
     };
     let side = keys.map_or_else(|| entry.kind.to_owned(), |keys| format!("{}  {keys}", entry.kind));
-    let enabled = !matches!(&entry.target, Target::Command(command) if !command.is_enabled(state));
     let button = Button::selectable(chosen, theme::symbol(ui, &entry.title)).shortcut_text(side).truncate();
     let response =
         ui.with_layout(egui::Layout::top_down_justified(Align::LEFT), |ui| ui.add_enabled(enabled, button)).inner;
     let said = format!("{}, {}", entry.title, entry.kind);
     response.widget_info(|| WidgetInfo::selected(Role::Button, enabled, chosen, &said));
-    if matches!(entry.target, Target::Note(_)) { response } else { response.explained(entry.about.as_ref()) }
+    if matches!(entry.target, SearchTarget::Note(_)) { response } else { response.explained(entry.about.as_ref()) }
 }
 
-fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
+fn go_to(ctx: &egui::Context, state: &mut State, target: SearchTarget) {
     match target {
         // Its caller does it.
-        Target::Command(_) => {}
-        Target::Parameter(tab, field) => {
+        SearchTarget::Command(_) => {}
+        SearchTarget::Parameter(tab, field) => {
             state.model.settings.tab = tab;
             let t = cameras::texts(state.model.settings.lang);
             state.model.cameras.was_called |= [t.add, t.pair].contains(&field);
@@ -382,31 +380,31 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
                 number_field::take_keyboard(ctx, field);
             }
         }
-        Target::AmongOperations(name) => {
+        SearchTarget::AmongOperations(name) => {
             state.model.settings.panels_mut().show(Side::Right);
             number_field::take_keyboard(ctx, name);
         }
-        Target::Operation(freedom) => {
+        SearchTarget::Operation(freedom) => {
             state.model.operations.open(freedom);
             state.model.settings.panels_mut().show(Side::Right);
             number_field::take_keyboard(ctx, &operations::step_name(freedom, window::texts(state.model.settings.lang)));
         }
-        Target::CameraCheck => state.file_flow.dialog = Some(Dialog::Coach),
-        Target::Explanation(explanation) => {
+        SearchTarget::CameraCheck => state.file_flow.dialog = Some(Dialog::Coach),
+        SearchTarget::Explanation(explanation) => {
             state.model.show_explanation(explanation);
             if explanation == Explanation::Exercises {
                 state.learn.exercises.call();
             }
         }
-        Target::Matrix(matrix) => state.model.explain_entry(matrix, [0, 0]),
-        Target::Note(id) => state.explain.explain_by_note(&mut state.model, id),
-        Target::Exercise(id) => {
+        SearchTarget::Matrix(matrix) => state.model.explain_entry(matrix, [0, 0]),
+        SearchTarget::Note(id) => state.explain.explain_by_note(&mut state.model, id),
+        SearchTarget::Exercise(id) => {
             state.model.show_explanation(Explanation::Exercises);
             let entry = state.learn.exercises.entry(&id).cloned();
             entry.iter().for_each(|entry| list::open(&mut state.learn.exercises, entry));
         }
-        Target::Figure(name) => file_flow::begin(ctx, state, Intent::Shipped(name)),
-        Target::Step(place, step) => {
+        SearchTarget::Figure(name) => file_flow::begin(ctx, state, Intent::Shipped(name)),
+        SearchTarget::Step(place, step) => {
             if let Some(shipped) = shipped().get(place) {
                 let open = OpenLesson { lesson: shipped.lesson.clone(), path: None, step };
                 file_flow::begin(ctx, state, Intent::Lesson(open));
@@ -437,7 +435,7 @@ mod tests {
                 assert!(KEYS.iter().any(is_of), "{name} is no key");
             }
             assert_eq!(titles(lang, "style.antialias"), ["style.antialias"]);
-            assert_eq!(home("style.antialias", t), Some(Target::Parameter(Tab::Drawing, t.antialias)));
+            assert_eq!(home("style.antialias", t), Some(SearchTarget::Parameter(Tab::Drawing, t.antialias)));
         }
     }
 

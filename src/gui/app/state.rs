@@ -1,8 +1,8 @@
 //! The whole state of the window: the model, and the state of each feature.
 
 use crate::camera::CameraError;
-use crate::figure::Figure;
 use crate::gui::Start;
+use crate::gui::app::file_flow::link_dialog::Sharing;
 use crate::gui::app::file_flow::questions::{Dialog, FileFlow};
 use crate::gui::app::search::Search;
 use crate::gui::export::Export;
@@ -10,11 +10,10 @@ use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::gallery::Gallery;
 use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::learn::Learn;
-use crate::gui::pictures::annotations::Annotations;
+use crate::gui::views::annotations::Annotations;
 use crate::gui::why::state::explain::Explain;
 use crate::views::{View, Views};
-use camera_lab_desk::{Desk, Document, Intent, Memo, Model, Recent};
-use camera_lab_files::share::ShareError;
+use camera_lab_desk::{Desk, Document, Intent, Model, Recent};
 use camera_lab_files::{SourceFile, figure_from};
 
 /// Everything the window knows.
@@ -24,10 +23,8 @@ pub struct State {
     pub model: Model,
     /// Files and the questions about them.
     pub file_flow: FileFlow,
-    /// The address of that page, if others can open it too.
-    pub own_address: Option<String>,
-    /// The address of a page with this program, for links, as entered by the user.
-    pub page_address: String,
+    /// Links to the screen.
+    pub sharing: Sharing,
     /// The recent files.
     pub recent: Recent,
     /// The figures that one can begin with.
@@ -48,14 +45,11 @@ pub struct State {
     pub explain: Explain,
     /// Exercises and lessons.
     pub learn: Learn,
-    /// The link that a dialog shows, by the address and whether it holds a whole lesson. Computed when the dialog is
-    /// opened, since nothing behind it changes.
-    pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
 }
 
 /// The documents at the start. Operations of the command line are a change of the figure in the file, so they can be
 /// undone, and closing the window asks about them.
-fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Desk, CameraError> {
+fn begin(figure: crate::figure::Figure, file: Option<SourceFile>) -> Result<Desk, CameraError> {
     let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());
     let Some(in_file) = in_file.map(|opened| opened.figure).filter(|saved| *saved != figure) else {
         return Document::new(figure, file).map(Desk::new);
@@ -80,8 +74,7 @@ impl State {
         let screen = desk.shown.figure().screen;
         let mut state = Self {
             model: Model::new(desk, start.lang, square),
-            own_address: None,
-            page_address: String::new(),
+            sharing: Sharing::default(),
             file_flow: FileFlow::new(true),
             recent: Recent::default(),
             gallery: Gallery::default(),
@@ -93,7 +86,6 @@ impl State {
             numerics: Numerics::default(),
             explain: Explain::default(),
             learn: Learn::default(),
-            shown_link: Memo::default(),
         };
         state.model.show_screen(screen);
         if let Some(open) = start.lesson {

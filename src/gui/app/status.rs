@@ -3,9 +3,8 @@
 use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
 use crate::gui::app::file_flow;
-use crate::gui::app::state::State;
+use crate::gui::app::file_flow::questions::FileFlow;
 use crate::gui::kit::{Explained, elide, with_room_before};
-use crate::sanitize;
 use camera_lab_desk::{Intent, Message, Model};
 use camera_lab_words::window;
 
@@ -43,15 +42,17 @@ pub fn error(ui: &mut egui::Ui, model: &mut Model) {
     }
 }
 
-/// The bar about a change of the figure's file by another program, until the user has decided.
-pub fn changed_file(ui: &mut egui::Ui, state: &mut State) {
-    let t = window::texts(state.model.settings.lang);
-    let document = &state.model.desk.shown;
-    let (Some(theirs), Some(name)) = (state.file_flow.watch.theirs(document).cloned(), document.name()) else { return };
+/// The bar about a change of the figure's file by another program, until the user has decided. Returns
+/// what the user wants.
+pub fn changed_file(ui: &mut egui::Ui, model: &Model, file_flow: &mut FileFlow) -> Option<Intent> {
+    let t = window::texts(model.settings.lang);
+    let document = &model.desk.shown;
+    let (theirs, name) = (file_flow.watch.theirs(document).cloned()?, document.name()?);
+    let mut wanted = None;
     let changed = document.is_changed();
     egui::Panel::top("changed file").show(ui, |ui| {
         let text = if changed { t.file_changed_unsaved } else { t.file_changed };
-        let text = format!("⚠ {} {text}", sanitize::escaped(&name));
+        let text = format!("⚠ {} {text}", crate::sanitize::escaped(&name));
         let color = ui.visuals().warn_fg_color;
         let told = |ui: &mut egui::Ui| {
             ui.add(Label::new(RichText::new(&text).color(color)).truncate());
@@ -59,14 +60,15 @@ pub fn changed_file(ui: &mut egui::Ui, state: &mut State) {
         ui.horizontal(|ui| {
             with_room_before(ui, told, |ui| {
                 if changed && ui.button(t.compare).explained(t.compare_hint).clicked() {
-                    file_flow::ask_about(&mut state.file_flow, theirs);
+                    file_flow::ask_about(file_flow, theirs);
                 } else if !changed && ui.button(t.reload).explained(t.reload_hint).clicked() {
-                    file_flow::begin(ui.ctx(), state, Intent::Reload);
+                    wanted = Some(Intent::Reload);
                 }
                 if ui.button(t.keep_mine).explained(t.keep_mine_hint).clicked() {
-                    state.file_flow.watch.keep_mine();
+                    file_flow.watch.keep_mine();
                 }
             });
         });
     });
+    wanted
 }

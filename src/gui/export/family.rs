@@ -4,7 +4,6 @@ use eframe::egui::{self, Key};
 
 use super::family_choice::{FamilyChoice, Subject, Varied};
 use crate::gui::kit::{Explained, TextField, choice, choice_row, number_field, row, text_field};
-use crate::limits::MAX_TYPED_NAME;
 use camera_lab_words::families;
 use camera_lab_words::window::Texts;
 
@@ -130,7 +129,7 @@ fn words_of(subject: Subject, t: &Texts) -> Vec<(&'static str, &'static str)> {
 fn line(ui: &mut egui::Ui, t: &'static Texts, text: &mut String, (name, hint): (&str, &str)) -> bool {
     let width = ui.available_width().min(200.0);
     let end = text.chars().count();
-    let field = TextField::line(text, MAX_TYPED_NAME).with(|edit| edit.desired_width(width));
+    let field = TextField::line(text, crate::limits::MAX_TYPED_NAME).with(|edit| edit.desired_width(width));
     let response = field.show(ui, t.lang).explained(hint).accessible_name(name);
     if number_field::answer_call(ui, &response, name) {
         text_field::select(ui.ctx(), response.id, 0..end);

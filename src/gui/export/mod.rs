@@ -7,13 +7,11 @@ pub mod preview;
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use eframe::egui;
 
 use crate::appearance::Theme;
 use crate::camera::{Camera, Convention, Decomposition};
-use crate::clock;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
 use crate::export::plot::encode;
@@ -23,7 +21,6 @@ use crate::figure::{Figure, update};
 use crate::gui::export::family_choice::FamilyChoice;
 use crate::gui::kit::frames;
 use crate::limits::{MAX_FAMILY, PAPER_LINES};
-use crate::numbers::round_to;
 use crate::picture::{
     self, Animation, Beside, Composite, ExportSpec, Faces, Family, FileOptions, FilmFormat, Metadata, OnPaper,
     PictureError, PictureFile, SheetSize,
@@ -67,7 +64,7 @@ pub struct Export {
 
 /// The width of lines in proportion to letters of a height, both in points, to two decimals.
 pub(super) fn as_letters(letters: f64) -> f64 {
-    round_to(letters * Size::EDGES_TO_LETTERS, 0.01).max(*PAPER_LINES.start())
+    crate::numbers::round_to(letters * Size::EDGES_TO_LETTERS, 0.01).max(*PAPER_LINES.start())
 }
 
 /// A size on paper.
@@ -324,7 +321,7 @@ impl Exporting {
         make: impl Fn() -> W + Send + Sync + 'static,
     ) -> Self {
         let path = task.path.clone();
-        let mut worker = Worker::new("export", clock::now, make);
+        let mut worker = Worker::new("export", crate::clock::now, make);
         worker.ask(&frames(ctx), 0, task);
         Self { path, worker }
     }
@@ -346,7 +343,7 @@ impl Exporting {
 
     /// The result and its path, once it's done.
     pub(super) fn take(&mut self) -> Option<(PathBuf, Exported)> {
-        let [done] = self.worker.take(Duration::ZERO);
+        let [done] = self.worker.take(std::time::Duration::ZERO);
         Some((self.path.clone(), done?.outcome.unwrap_or(Err(ExportError::Panic))))
     }
 }

@@ -1,16 +1,12 @@
 //! The picture that the export dialog shows, and the one that it copies. They are drawn beside the window's thread, in
 //! the same way as the exported one.
 
-use std::time::Duration;
-
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use super::family_choice::FamilyChoice;
-use crate::clock;
 use crate::export::format::PictureFormat;
 use crate::gui::export::{Export, ExportSource};
 use crate::gui::kit::frames;
-use crate::limits::MAX_COPIED_PIXELS;
 use crate::picture::{self, Crowded, FileOptions};
 use crate::progress::Progress;
 use camera_lab_desk::{ExportError, Worker};
@@ -66,7 +62,7 @@ impl std::fmt::Debug for Preview {
 
 impl Default for Preview {
     fn default() -> Self {
-        let worker = Worker::new("preview", clock::now, work);
+        let worker = Worker::new("preview", crate::clock::now, work);
         Self { worker, asked: None, texture: None, crowded: None, size: None, fault: None, copied: None }
     }
 }
@@ -101,7 +97,7 @@ impl Preview {
         room: [f32; 2],
         subject: impl FnOnce() -> ExportSource,
     ) {
-        let [shown, copied] = self.worker.take(Duration::ZERO);
+        let [shown, copied] = self.worker.take(std::time::Duration::ZERO);
         match shown.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {
             Some(Ok(Drawn::Picture(picture, crowded, size))) => {
                 (self.crowded, self.size) = (crowded, Some(size));
@@ -150,7 +146,7 @@ impl Preview {
 
 /// True if an export of this size is small enough for the clipboard.
 pub(in crate::gui) fn can_be_copied(export: &Export, [width, height]: [u32; 2]) -> bool {
-    export.format.is_vector() || u64::from(width) * u64::from(height) <= MAX_COPIED_PIXELS
+    export.format.is_vector() || u64::from(width) * u64::from(height) <= crate::limits::MAX_COPIED_PIXELS
 }
 
 /// The picture at the size at which it fits into this number of pixels, each of them the mean of those that it

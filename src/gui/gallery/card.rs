@@ -6,12 +6,8 @@ use std::hash::{Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 
 use crate::appearance::Theme;
-use crate::camera::Camera;
 use crate::export::png::figure_bytes;
 use crate::figure::{Figure, Localized};
-use crate::lessons::parse_bytes;
-use crate::limits::MAX_FIGURE_BYTES;
-use crate::numbers::natural_order;
 use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
@@ -122,7 +118,7 @@ fn read(source: &Source) -> Result<Vec<u8>, FileError> {
 fn figure_of(source: &Source, bytes: &[u8]) -> Result<Opened, FileError> {
     match source {
         Source::File(path) if files::is_lesson(path) => {
-            let lesson = parse_bytes(bytes)?;
+            let lesson = crate::lessons::parse_bytes(bytes)?;
             let first = lesson.steps.first().map(|step| (*step.figure).clone()).unwrap_or_default();
             let figure = Figure { title: Some(lesson.title), caption: lesson.sentence, ..first };
             Ok(Opened { figure, text: String::new(), from_picture: false, carried: Default::default() })
@@ -140,7 +136,7 @@ fn draw(
 ) -> Drawn {
     let mut figure = opened.figure;
     figure.style.theme = theme;
-    let camera = Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
+    let camera = crate::camera::Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
     let reach = match source {
         Source::Shipped(_) => FileAccess::Figure,
         Source::File(path) => FileAccess::of(path, opened.from_picture, false),
@@ -168,7 +164,7 @@ fn said_by(source: &Source, lang: Lang) -> CardText {
         Source::File(_) => {
             let bytes = read(source).unwrap_or_default();
             let figure = figure_of(source, &bytes).map(|opened| opened.figure).unwrap_or_default();
-            let text = figure_bytes(&bytes, MAX_FIGURE_BYTES).unwrap_or_default();
+            let text = figure_bytes(&bytes, crate::limits::MAX_FIGURE_BYTES).unwrap_or_default();
             let title = match &figure.title {
                 Some(title) => format!("{} ({})", in_lang(title), source.name()),
                 None => source.name().into_owned(),
@@ -198,7 +194,7 @@ pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     paths.retain(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
     // Lessons are among the lessons.
     paths.retain(|path| !files::is_lesson(path));
-    paths.sort_by(|a, b| natural_order(&a.to_string_lossy(), &b.to_string_lossy()));
+    paths.sort_by(|a, b| crate::numbers::natural_order(&a.to_string_lossy(), &b.to_string_lossy()));
     Ok(paths)
 }
 

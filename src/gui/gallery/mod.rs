@@ -5,7 +5,6 @@ mod show;
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 pub use card::figures_in;
 use eframe::egui::{Context, TextureHandle, TextureOptions};
@@ -13,10 +12,8 @@ pub(super) use show::{Chosen, show};
 
 use self::card::{CardJob, CardOutcome, CardText, work};
 use crate::appearance::Theme;
-use crate::clock;
 use crate::gui::kit::frames;
 use camera_lab_desk::{Source, Worker};
-use camera_lab_files::SHIPPED_FIGURES;
 use camera_lab_words::window::search::{folded, has_words};
 use camera_lab_words::{Lang, messages};
 
@@ -102,7 +99,7 @@ impl Default for Gallery {
             cards: BTreeMap::new(),
             style: (Theme::default(), Lang::default()),
             waiting: Vec::new(),
-            worker: Worker::new("gallery", clock::now, work),
+            worker: Worker::new("gallery", crate::clock::now, work),
         }
     }
 }
@@ -152,7 +149,9 @@ impl Gallery {
     fn sources(&self) -> (Vec<Source>, usize) {
         let files = |paths: &[PathBuf]| paths.iter().take(MOST_FILES).cloned().map(Source::File).collect();
         match self.part {
-            Part::Examples => (SHIPPED_FIGURES.map(|figure| Source::Shipped(figure.name)).to_vec(), 0),
+            Part::Examples => {
+                (camera_lab_files::SHIPPED_FIGURES.map(|figure| Source::Shipped(figure.name)).to_vec(), 0)
+            }
             Part::Recent => (files(&self.recent), 0),
             Part::Folder => {
                 let paths = self.files.as_deref().unwrap_or_default();
@@ -181,7 +180,7 @@ impl Gallery {
             self.style = style;
             self.cards.values_mut().for_each(|card| (card.fresh, card.told) = (false, None));
         }
-        let [done] = self.worker.take(Duration::ZERO);
+        let [done] = self.worker.take(std::time::Duration::ZERO);
         if let Some(outcome) = done.and_then(|done| done.outcome) {
             self.take(ctx, outcome);
         }

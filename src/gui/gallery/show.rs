@@ -11,9 +11,7 @@ use eframe::egui::{
 
 use super::card::SIZE;
 use super::{Gallery, Part};
-use crate::appearance::Theme;
 use crate::gui::kit::{Explained, TextField, theme, with_room_before};
-use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
 use camera_lab_desk::Source;
 use camera_lab_files::{ShippedFigure, Topic};
@@ -50,7 +48,12 @@ fn card_size() -> Vec2 {
 }
 
 /// Shows the gallery in a theme and a language. `first` is true when it has just been opened.
-pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, Lang), first: bool) -> Option<Chosen> {
+pub(in crate::gui) fn show(
+    ui: &mut Ui,
+    gallery: &mut Gallery,
+    style: (crate::appearance::Theme, Lang),
+    first: bool,
+) -> Option<Chosen> {
     let t = words::texts(style.1);
     let mut asked = None;
     let before = gallery.part;
@@ -161,7 +164,7 @@ fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
             ui.memory_mut(|memory| memory.request_focus(id));
         }
     }
-    let field = TextField::line(&mut gallery.wanted, MAX_TYPED_NAME);
+    let field = TextField::line(&mut gallery.wanted, crate::limits::MAX_TYPED_NAME);
     let field = field.with(|edit| edit.id(id).hint_text(t.wanted).desired_width(190.0));
     let response = field.show(ui, t.lang).accessible_name(t.wanted);
     if gallery.wanted != before {

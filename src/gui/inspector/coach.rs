@@ -2,12 +2,10 @@
 
 use eframe::egui::{self, RichText, Ui};
 
-use crate::camera::ImageSize;
-use crate::figure::Explanation;
 use crate::gui::kit::{CANCEL, Explained, Pressed, buttons, theme};
 use crate::numerics::diagnosis::{IN_A_WINDOW, Repair, changes};
 use crate::numerics::health::Level;
-use camera_lab_desk::{Advice, Model};
+use camera_lab_desk::{Action, Advice, Model};
 use camera_lab_words::window::{Texts, coach as words};
 
 /// The width of the dialog.
@@ -19,6 +17,8 @@ enum Wish {
     Camera(crate::camera::Parameters),
     /// Go to the explanation of depths.
     Depth,
+    /// Go to the study of the figure.
+    Examine,
 }
 
 /// Shows the dialog with all the advice. Returns false once it's closed.
@@ -36,6 +36,9 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, model: &mut Model, first: boo
             if ui.link(words.about_depth).clicked() {
                 wish = Some(Wish::Depth);
             }
+            if ui.link(words.about_error).clicked() {
+                wish = Some(Wish::Examine);
+            }
         }
     });
     ui.add_space(8.0);
@@ -44,7 +47,8 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, model: &mut Model, first: boo
     match wish {
         Wish::Repair(repair) => model.apply_repair(repair),
         Wish::Camera(camera) => model.apply_camera(camera),
-        Wish::Depth => model.show_explanation(Explanation::Depth),
+        Wish::Examine => model.request(Action::Examine),
+        Wish::Depth => model.show_explanation(crate::figure::Explanation::Depth),
     }
     ui.request_repaint();
     false
@@ -67,7 +71,7 @@ fn findings(ui: &mut Ui, model: &Model, advice: &Advice, wish: &mut Option<Wish>
         ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
     }
     if diagnosis.findings.is_empty() {
-        let ImageSize { width, height } = model.desk.shown.figure().image;
+        let crate::camera::ImageSize { width, height } = model.desk.shown.figure().image;
         let is_coarse = u64::from(width) * u64::from(height) > IN_A_WINDOW;
         ui.label(if is_coarse { t.no_problems_in_coarse } else { t.no_problems });
     }

@@ -5,7 +5,6 @@ use eframe::egui::{self, Align, Layout, RichText, Slider};
 use super::{TEXT_LINE, complain, erratum, more, predict, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
 use crate::gui::kit::{Explained, NumberField, Step, help_topic_row, number_field, theme};
-use crate::numbers::DecimalMark;
 use crate::views::Ghost;
 use camera_lab_desk::{Model, Scrub, arrow};
 use camera_lab_words::why::notes;
@@ -155,7 +154,7 @@ fn written(operation: Operation, t: &Texts) -> String {
 }
 
 /// The amount of a slider.
-fn describe(freedom: Freedom, amount: f64, mark: DecimalMark) -> String {
+fn describe(freedom: Freedom, amount: f64, mark: crate::numbers::DecimalMark) -> String {
     let sign = if amount > 0.0 { "+" } else { "" };
     match freedom.descriptor().amount {
         Amount::Factor => format!("× {}", mark.number(amount.exp2(), 4)),

@@ -2,7 +2,6 @@
 
 use eframe::egui::{self, Button, RichText};
 
-use crate::camera::Operation;
 use crate::gui::kit::{Explained, number_field, prose, theme};
 use camera_lab_desk::operations::predict::Change;
 use camera_lab_desk::{About, Model, Prediction};
@@ -11,7 +10,7 @@ use camera_lab_words::window::predict::Texts;
 use camera_lab_words::window::{Texts as WindowTexts, predict as words};
 
 /// Writes an operation with its value.
-type Written = fn(Operation, &WindowTexts) -> String;
+type Written = fn(crate::camera::Operation, &WindowTexts) -> String;
 
 /// Shows the switch, and the operation that asks.
 pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, model: &mut Model, written: Written) {

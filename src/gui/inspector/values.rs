@@ -1,13 +1,9 @@
 //! The numbers: basis, matrices, window, corners. Each one equals that of `camera-lab inspect` for the same figure.
 
-use std::sync::Arc;
-
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{self, RichText, TextFormat};
 
 use super::{TEXT_LINE, complain, erratum, kept_section, section};
-use crate::camera::Ndc;
-use crate::explain::Matrix;
 use crate::gui::inspector::number_tables::{self, GAP, Table, ndc_of, report, tables};
 use crate::gui::kit::{Explained, NumberField, Step, brackets, context_help, help_topic, help_topic_row, theme, whole};
 use camera_lab_desk::Model;
@@ -42,7 +38,7 @@ pub(in crate::gui) fn list(
     ui: &mut egui::Ui,
     model: &mut Model,
     inverse: bool,
-    compared: Option<Ndc>,
+    compared: Option<crate::camera::Ndc>,
     is_wanted: fn(&Table) -> bool,
 ) {
     let t = window::texts(model.settings.lang);
@@ -83,7 +79,7 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
 }
 
 /// An entry of a matrix.
-type Entry = (Matrix, [usize; 2]);
+type Entry = (crate::explain::Matrix, [usize; 2]);
 
 /// A table. Below a matrix is the one that it's compared with, and differing entries are marked in both. Returns the
 /// clicked entry.
@@ -137,7 +133,7 @@ fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&T
         .show(ui, |ui| {
             let rows = written(fitting);
             let galley = ui.painter().layout_job(job(ui, &rows, marked));
-            let label = egui::Label::new(Arc::clone(&galley)).extend();
+            let label = egui::Label::new(std::sync::Arc::clone(&galley)).extend();
             let corner = if table.is_matrix() {
                 let frame = egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 0));
                 let shown = frame.show(ui, |ui| ui.add(label));

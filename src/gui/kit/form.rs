@@ -7,7 +7,6 @@ use super::focus::at_right;
 use super::number_field::{self, FieldOutput, NumberField, Step};
 use super::tooltip::Explained;
 use super::{context_help, theme};
-use camera_lab_words::Lang;
 use camera_lab_words::window::Texts;
 
 /// A group of controls under a title that opens and closes it. Returns the title.
@@ -200,7 +199,11 @@ pub(in crate::gui) fn complaint(ui: &mut egui::Ui, text: &str) {
 }
 
 /// A line for each fault of number fields.
-pub(in crate::gui) fn complain<'a>(ui: &mut egui::Ui, lang: Lang, fields: impl IntoIterator<Item = &'a FieldOutput>) {
+pub(in crate::gui) fn complain<'a>(
+    ui: &mut egui::Ui,
+    lang: camera_lab_words::Lang,
+    fields: impl IntoIterator<Item = &'a FieldOutput>,
+) {
     for error in fields.into_iter().filter_map(|field| field.error.as_ref()) {
         complaint(ui, &error.text(lang));
     }

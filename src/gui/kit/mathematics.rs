@@ -46,7 +46,7 @@ struct Glyph {
 
 /// The painted parts of a formula, in units of the type size.
 #[derive(Debug, Default)]
-struct Ink {
+struct FormulaInk {
     glyphs: Vec<Glyph>,
     /// Left end, middle of the height. Length and thickness.
     lines: Vec<[f32; 4]>,
@@ -54,7 +54,7 @@ struct Ink {
     baseline: f32,
 }
 
-impl Ink {
+impl FormulaInk {
     /// `None` for text that isn't LaTeX, or needs more than the fonts have.
     fn new(latex: &str) -> Option<Self> {
         // No font has glyphs for brackets as high as a matrix, so they are lines here.
@@ -127,9 +127,9 @@ impl Ink {
 #[derive(Default)]
 struct Typesetter;
 
-impl ComputerMut<&str, Option<Arc<Ink>>> for Typesetter {
-    fn compute(&mut self, latex: &str) -> Option<Arc<Ink>> {
-        Ink::new(latex).map(Arc::new)
+impl ComputerMut<&str, Option<Arc<FormulaInk>>> for Typesetter {
+    fn compute(&mut self, latex: &str) -> Option<Arc<FormulaInk>> {
+        FormulaInk::new(latex).map(Arc::new)
     }
 }
 
@@ -142,14 +142,14 @@ pub(in crate::gui) struct Formula {
 
 #[derive(Clone, Debug)]
 enum Set {
-    Ink(Arc<Ink>),
+    Ink(Arc<FormulaInk>),
     Text(Arc<egui::Galley>),
 }
 
 impl Formula {
     /// Sets a formula, or shows `text` if that fails. It's set once, as long as every frame shows it.
     pub(in crate::gui) fn new(ui: &Ui, latex: &str, text: &str, size: f32) -> Self {
-        type Cache = FrameCache<Option<Arc<Ink>>, Typesetter>;
+        type Cache = FrameCache<Option<Arc<FormulaInk>>, Typesetter>;
         let ink = ui.memory_mut(|memory| memory.caches.cache::<Cache>().get(latex).clone());
         let set = ink.map_or_else(
             || {
@@ -296,7 +296,7 @@ pub(in crate::gui) fn brackets(ui: &Ui, place: Rect) {
 
 #[cfg(test)]
 mod tests {
-    use super::Ink;
+    use super::FormulaInk;
     use camera_lab_words::Lang;
     use camera_lab_words::why::notes::{Piece, notes};
 
@@ -309,17 +309,17 @@ mod tests {
                 Piece::Words(_) => None,
             });
             for latex in inline {
-                let ink = Ink::new(latex);
+                let ink = FormulaInk::new(latex);
                 assert!(ink.as_ref().is_some_and(|ink| !ink.glyphs.is_empty()), "{}: {latex}", note.id);
                 // Such a formula is part of a line of words.
                 assert!(ink.is_some_and(|ink| ink.size[1] < 1.1), "{}: {latex} is too high", note.id);
             }
             for latex in &note.equations {
-                assert!(Ink::new(latex).is_some_and(|ink| !ink.glyphs.is_empty()), "{}: {latex}", note.id);
+                assert!(FormulaInk::new(latex).is_some_and(|ink| !ink.glyphs.is_empty()), "{}: {latex}", note.id);
                 equations += 1;
             }
         }
         assert!(equations > 80, "{equations}");
-        assert!(Ink::new(r"\frac{1").is_none(), "what is not LaTeX is told apart");
+        assert!(FormulaInk::new(r"\frac{1").is_none(), "what is not LaTeX is told apart");
     }
 }

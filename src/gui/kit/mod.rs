@@ -14,8 +14,6 @@ pub(super) mod text_field;
 pub mod theme;
 pub(super) mod tooltip;
 
-use std::time::Duration;
-
 pub(in crate::gui) use context_help::{has_focus, help_topic, help_topic_row};
 pub(in crate::gui) use dialog_buttons::{CANCEL, Pressed, buttons};
 use eframe::egui;
@@ -43,7 +41,7 @@ pub fn frames(ctx: &egui::Context) -> Frames {
 }
 
 impl Wake for Frames {
-    fn wake_after(&self, time: Duration) {
+    fn wake_after(&self, time: std::time::Duration) {
         self.0.request_repaint_after(time);
     }
 

@@ -12,7 +12,6 @@ use crate::expression::{self, Dimension, ExpressionProblem};
 use crate::gui::kit::text_field::{self, TextField};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::{self, Explained};
-use crate::limits::MAX_EXPRESSION;
 use crate::numbers::{self, round_to};
 use camera_lab_words::why::sources::with_titles;
 use camera_lab_words::window::Texts;
@@ -366,7 +365,7 @@ impl<'a> NumberField<'a> {
         if fresh {
             text_field::select(ui.ctx(), id, 0..state.text.chars().count());
         }
-        let field = TextField::line(&mut state.text, MAX_EXPRESSION.0).refused_beyond().with(|edit| {
+        let field = TextField::line(&mut state.text, crate::limits::MAX_EXPRESSION.0).refused_beyond().with(|edit| {
             let edit = edit.id(id).clip_text(true).desired_width(self.width);
             edit.align(egui::Align2::LEFT_CENTER).margin(egui::Margin::symmetric(4, 2))
         });

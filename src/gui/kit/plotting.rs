@@ -1,12 +1,9 @@
 //! Common parts of the plots of the window. They don't move, and their logarithmic axes are marked at powers of ten.
 
-use std::ops::RangeInclusive;
-
 use eframe::egui::{Color32, TextStyle, Ui};
 use egui_plot::{Axis, AxisHints, GridInput, GridMark, Plot};
 
 use crate::appearance::Rgba;
-use crate::chart::power_of_ten;
 use crate::export::plot::COLORS;
 use crate::gui::kit::tooltip::Explained;
 use camera_lab_words::{Lang, window};
@@ -47,8 +44,8 @@ fn axis<'a>(axis: Axis, label: &str) -> AxisHints<'a> {
 }
 
 /// The mark of a power of ten on a logarithmic axis.
-fn decade(mark: GridMark, _: &RangeInclusive<f64>) -> String {
-    power_of_ten(10f64.powf(mark.value))
+fn decade(mark: GridMark, _: &std::ops::RangeInclusive<f64>) -> String {
+    crate::chart::power_of_ten(10f64.powf(mark.value))
 }
 
 /// Marks of a logarithmic axis at whole decades, at least `room` points apart.

@@ -3,13 +3,10 @@
 //! Pasted text may be any file from the clipboard. It's cut before it's laid out, and the field reports that. No other
 //! file makes fields of egui's own, which take everything.
 
-use std::ops::Range;
-
 use eframe::egui::os::OperatingSystem;
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Align2, Context, Event, Id, Key, Margin, Response, TextEdit, Ui};
 
-use super::tooltip;
 use crate::limits::MAX_TYPED;
 use camera_lab_words::{Lang, messages};
 
@@ -57,7 +54,7 @@ impl<'t> TextField<'t> {
         let (output, text) = self.edit.char_limit(self.most).show_returning_text(ui);
         let response = output.response.response;
         if self.says && response.has_focus() && text.as_str().chars().nth(self.most.saturating_sub(1)).is_some() {
-            tooltip::beside(&response, |ui| drop(ui.label(messages::at_most_characters(lang, self.most))));
+            super::tooltip::beside(&response, |ui| drop(ui.label(messages::at_most_characters(lang, self.most))));
         }
         response
     }
@@ -104,7 +101,7 @@ impl KeptLine<'_> {
 }
 
 /// Selects characters of a field, so that typing replaces them.
-pub(in crate::gui) fn select(ctx: &Context, id: Id, characters: Range<usize>) {
+pub(in crate::gui) fn select(ctx: &Context, id: Id, characters: std::ops::Range<usize>) {
     let mut edit = TextEdit::load_state(ctx, id).unwrap_or_default();
     let [begin, end] = [characters.start, characters.end].map(CCursor::new);
     edit.cursor.set_char_range(Some(CCursorRange::two(begin, end)));

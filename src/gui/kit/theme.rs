@@ -1,7 +1,5 @@
 //! Fonts, sizes and colours of the window.
 
-use std::sync::Arc;
-
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
     self, Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke, Style, TextStyle, Visuals,
@@ -36,7 +34,7 @@ pub fn install_fonts(ctx: &egui::Context) {
         ("DejaVu Sans Mono", MONOSPACED_BYTES, FontFamily::Monospace),
     ];
     for (name, bytes, family) in faces {
-        fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
+        fonts.font_data.insert(name.to_owned(), std::sync::Arc::new(FontData::from_static(bytes)));
         fonts.families.entry(family).or_default().insert(0, name.to_owned());
     }
     for family in [FontFamily::Monospace, bold_family()] {
@@ -168,7 +166,7 @@ fn sizes(style: &mut Style) {
 }
 
 /// The differences between the themes.
-struct Palette {
+struct ThemePalette {
     panel: Color32,
     field: Color32,
     button: Color32,
@@ -186,7 +184,7 @@ struct Palette {
 fn light() -> Visuals {
     dress(
         Visuals::light(),
-        &Palette {
+        &ThemePalette {
             panel: Color32::from_rgb(0xf5, 0xf6, 0xf8),
             field: Color32::WHITE,
             button: Color32::from_rgb(0xff, 0xff, 0xff),
@@ -206,7 +204,7 @@ fn light() -> Visuals {
 fn dark() -> Visuals {
     dress(
         Visuals::dark(),
-        &Palette {
+        &ThemePalette {
             panel: Color32::from_rgb(0x1c, 0x1f, 0x24),
             field: Color32::from_rgb(0x12, 0x14, 0x18),
             button: Color32::from_rgb(0x2a, 0x2f, 0x37),
@@ -223,7 +221,7 @@ fn dark() -> Visuals {
     )
 }
 
-fn dress(mut v: Visuals, p: &Palette) -> Visuals {
+fn dress(mut v: Visuals, p: &ThemePalette) -> Visuals {
     v.panel_fill = p.panel;
     v.window_fill = p.panel;
     v.extreme_bg_color = p.field;

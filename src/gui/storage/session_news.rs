@@ -4,7 +4,6 @@
 use eframe::egui::{self, Label, RichText};
 
 use crate::gui::kit::with_room_before;
-use crate::limits::MAX_SESSIONS;
 use crate::sanitize;
 use camera_lab_desk::{Keeping, News, NewsList};
 use camera_lab_words::window::{self, sessions, sharing};
@@ -63,7 +62,7 @@ fn sentence(lang: Lang, news: &News) -> String {
         News::Damaged(path) => sessions::damaged(lang, &sanitize::path(path)),
         News::Unusable(path, error) => messages::file(lang, &sanitize::path(path), error),
         News::Taken => t.taken.to_owned(),
-        News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
+        News::NoSlot => sessions::no_slot(lang, crate::limits::MAX_SESSIONS),
         News::PreferencesSetAside(path) => sessions::preferences_set_aside(lang, &sanitize::path(path)),
         News::ProgressSetAside(path) => sessions::progress_set_aside(lang, &sanitize::path(path)),
         News::NotKept(not_kept) => {

@@ -5,11 +5,7 @@ use eframe::egui::{self, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::measures;
 use crate::explain::{Definition, Formula, Notation, Numbers, Setting, Symbol, Writer, definition};
-use crate::figure::Measured;
 use crate::gui::kit::{Both, Formula as Typeset, Links, chain, help_topic};
-use crate::numbers::exact_form;
-use camera_lab_desk::Matrices;
-use camera_lab_words::Lang;
 use camera_lab_words::why::explain::Texts;
 use camera_lab_words::why::{explain as words, notes};
 
@@ -20,7 +16,7 @@ const SIZE: f32 = 14.0;
 #[derive(Clone, Copy)]
 pub(super) struct Writing<'a> {
     pub(super) setting: &'a Setting<'a>,
-    pub(super) lang: Lang,
+    pub(super) lang: camera_lab_words::Lang,
     pub(super) digits: usize,
 }
 
@@ -53,7 +49,7 @@ impl Writing<'_> {
     /// A value. If it's a fraction or a root, that and its decimals.
     pub(super) fn whole_value(&self, value: f64) -> Both {
         let decimals = self.both(true, false, |writer| writer.number(value));
-        if exact_form(value).is_none() {
+        if crate::numbers::exact_form(value).is_none() {
             return decimals;
         }
         let exact = self.value(value);
@@ -78,7 +74,7 @@ pub(super) fn show(
     writing: Writing<'_>,
     name: &Both,
     (formula, value): (&Formula, f64),
-    state: &mut Matrices,
+    state: &mut camera_lab_desk::Matrices,
 ) -> Option<Symbol> {
     let said = [writing.formula(formula), writing.numbers(formula), writing.whole_value(value)];
     chain(ui, name, &said, Links::Below);
@@ -90,7 +86,7 @@ pub(super) fn show(
     ui.add_space(4.0);
     let t = words::texts(writing.lang);
     ui.label(RichText::new(t.made_of).small().weak());
-    let mut tree = Tree { writing, t, open: &mut state.open, pointed: None };
+    let mut tree = AnswerTree { writing, t, open: &mut state.open, pointed: None };
     for symbol in symbols {
         tree.symbol(ui, &mut vec![symbol]);
     }
@@ -116,7 +112,7 @@ pub(super) fn of_symbol(ui: &mut Ui, writing: Writing<'_>, symbol: Symbol) {
 }
 
 /// The definitions of symbols, each opened by a click.
-struct Tree<'a> {
+struct AnswerTree<'a> {
     writing: Writing<'a>,
     t: &'static Texts,
     open: &'a mut std::collections::BTreeSet<Vec<Symbol>>,
@@ -124,7 +120,7 @@ struct Tree<'a> {
     pointed: Option<Symbol>,
 }
 
-impl Tree<'_> {
+impl AnswerTree<'_> {
     /// The last symbol of a path, and its definition below it.
     fn symbol(&mut self, ui: &mut Ui, path: &mut Vec<Symbol>) {
         let Some(&symbol) = path.last() else { return };
@@ -193,6 +189,6 @@ impl Tree<'_> {
 }
 
 /// The measures to highlight in the world: that of a symbol, or of an entry.
-pub(super) fn lights(formula: &Formula, pointed: Option<Symbol>) -> Vec<Measured> {
+pub(super) fn lights(formula: &Formula, pointed: Option<Symbol>) -> Vec<crate::figure::Measured> {
     pointed.map_or_else(|| measures::of_formula(formula), |symbol| measures::of_symbol(symbol).into_iter().collect())
 }

@@ -1,16 +1,11 @@
 //! A point's way, step by step, with each product written out: forward and back.
 
-use std::fmt::Debug;
-use std::hash::Hash;
-
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{self, CollapsingHeader, RichText, TextStyle};
 
-use crate::camera::Unprojected;
 use crate::explain::{Line, Notation, Setting, Step, Style, back, forward, written};
 use crate::gui::kit::{Explained, help_topic, mathematics};
 use crate::gui::why::matrix::digits;
-use camera_lab_words::messages;
 use camera_lab_words::why::explain_point::Texts;
 use camera_lab_words::why::notes;
 
@@ -60,7 +55,7 @@ pub(super) fn ui(ui: &mut egui::Ui, setting: &Setting<'_>, name: &str, (t, digit
     ui.label(RichText::new(t.back).strong());
     match (way, &on_the_way) {
         (Err(why), _) => {
-            let why = format!("{} {}", t.no_way_back, messages::no_way_back(t.lang, why));
+            let why = format!("{} {}", t.no_way_back, camera_lab_words::messages::no_way_back(t.lang, why));
             ui.add(egui::Label::new(why).wrap());
         }
         (Ok(_), Some((setting, steps))) => {
@@ -74,7 +69,7 @@ pub(super) fn ui(ui: &mut egui::Ui, setting: &Setting<'_>, name: &str, (t, digit
 }
 
 /// From the centre of the point's pixel with its Z. `None` for a point without a pixel.
-fn way_back(setting: &Setting<'_>) -> Option<Result<Unprojected, crate::camera::NotProjectable>> {
+fn way_back(setting: &Setting<'_>) -> Option<Result<crate::camera::Unprojected, crate::camera::NotProjectable>> {
     /// Whole numbers up to here are exact.
     const LARGEST: f64 = 9e15;
     let point = setting.point()?;
@@ -104,7 +99,7 @@ fn step(ui: &mut egui::Ui, step: &Step, setting: &Setting<'_>, key: (&str, &str)
 }
 
 /// A row: the formula, set as mathematics, and below it the same with the numbers and the result.
-fn line(ui: &mut egui::Ui, (line, latex): (&Line, &Line), key: impl Hash + Debug + Copy) {
+fn line(ui: &mut egui::Ui, (line, latex): (&Line, &Line), key: impl std::hash::Hash + std::fmt::Debug + Copy) {
     let formula = |line: &Line| format!("{} = {}", line.symbol, line.formula);
     mathematics::show(ui, &formula(latex), &formula(line), SIZE);
     let font = TextStyle::Body.resolve(ui.style());

@@ -8,7 +8,6 @@ use crate::gui::kit::{Explained, choice_row};
 use crate::gui::why::state::explain::Explain;
 use crate::pipeline::divide_before_clip::divided_first;
 use camera_lab_desk::{Action, Intent, Model};
-use camera_lab_files::ShippedFigure;
 use camera_lab_words::told;
 use camera_lab_words::why::explain;
 use camera_lab_words::window::{self, gallery};
@@ -50,7 +49,7 @@ fn dead_end(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let camera = model.desk.shown.camera();
     let key = (model.scene_cache.scene().clone(), *camera.parameters());
     let is_right = *explain.divides_right.of(key, |(scene, _)| divided_first(scene, camera, 1.0).is_right());
-    let Some(figure) = ShippedFigure::named(SHOWS_IT).filter(|_| is_right) else { return };
+    let Some(figure) = camera_lab_files::ShippedFigure::named(SHOWS_IT).filter(|_| is_right) else { return };
     let lang = model.settings.lang;
     let [title, caption] = figure.told();
     let text = format!("{} {}", gallery::texts(lang).shows, told(lang, &title));

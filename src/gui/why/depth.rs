@@ -5,7 +5,6 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Align2, Color32, Grid, Label, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotPoints, Text, VLine};
 
-use super::compare_button;
 use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::chart::{Axis, Chart, Look, Series};
@@ -56,7 +55,7 @@ fn depth_view(ui: &mut Ui, model: &mut Model) {
     let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
     choice_row(ui, t.format, t.format_hint, &mut format, &choices);
     model.desk.shown.set(|figure| &mut figure.style.depth_format, format);
-    compare_button(ui, model);
+    super::compare_button(ui, model);
 }
 
 /// Shows the consequences of a camera. Returns one with other planes if the user wants that.
@@ -105,7 +104,7 @@ fn of_camera(ui: &mut Ui, model: &mut Model, explain: &mut Explain, camera: &Cam
 /// The resolution of each format of depth buffers, and its picture of the two planes.
 fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
     let t = words::texts(lang);
-    let colors = Planes::of(ui);
+    let colors = PlaneColors::of(ui);
     let right = ui.max_rect().right();
     Grid::new("formats").num_columns(3).spacing([10.0, 2.0]).show(ui, |ui| {
         for head in [t.format, t.step_here] {
@@ -138,12 +137,12 @@ fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
 }
 
 /// The colours of the two planes.
-struct Planes {
+struct PlaneColors {
     nearer: Color32,
     farther: Color32,
 }
 
-impl Planes {
+impl PlaneColors {
     fn of(ui: &Ui) -> Self {
         let dark = ui.visuals().dark_mode;
         Self { nearer: color_of(Some(4), dark), farther: color_of(Some(0), dark) }
@@ -151,7 +150,7 @@ impl Planes {
 }
 
 /// The two planes, a point for each pixel.
-fn picture(ui: &mut Ui, planes: &TwoPlanes, colors: &Planes, said: &str) {
+fn picture(ui: &mut Ui, planes: &TwoPlanes, colors: &PlaneColors, said: &str) {
     let (rect, response) =
         ui.allocate_exact_size(vec2(TwoPlanes::WIDTH as f32, TwoPlanes::HEIGHT as f32), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, said));

@@ -3,21 +3,18 @@
 
 use eframe::egui::{RichText, Slider, Ui};
 
-use super::compare_button;
 use crate::appearance::Visibility;
 use crate::figure::{Depth, Reveal};
 use crate::gui::kit::{Explained, alternatives, theme};
 use crate::gui::why::state::explain::Explain;
-use crate::views::View;
 use camera_lab_desk::Model;
 use camera_lab_words::why::stages;
-use camera_lab_words::window;
 
 /// Shows it.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     let t = stages::texts(model.settings.lang);
     ui.label(RichText::new(t.hint).weak());
-    if !model.layout.is_shown(View::Image) {
+    if !model.layout.is_shown(crate::views::View::Image) {
         ui.label(t.hidden);
     }
     let figure = model.desk.shown.figure();
@@ -40,8 +37,8 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     if ui.checkbox(&mut depth, t.depth).explained(t.depth_hint).changed() {
         reveal = Reveal { depth: if depth { Depth::Stored } else { Depth::Off }, ..reveal };
     }
-    compare_button(ui, model);
-    let words = window::texts(model.settings.lang);
+    super::compare_button(ui, model);
+    let words = camera_lab_words::window::texts(model.settings.lang);
     ui.checkbox(&mut reveal.culled, words.culled_view).explained(words.culled_view_hint);
     model.desk.shown.set(|figure| &mut figure.style, style);
     model.desk.shown.set(|figure| &mut figure.reveal, reveal);

@@ -35,13 +35,12 @@ pub(super) mod state {
 mod steps;
 mod triangle;
 
-use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
+use eframe::egui::{Button, RichText, TextStyle, Ui, vec2};
 pub(super) use triangle::clicked;
 
-use crate::camera::Camera;
 use crate::explain::{Placement, Setting};
 use crate::figure::Explanation;
-use crate::gui::kit::{Explained, elide, keep_in_sight, toggle};
+use crate::gui::kit::{Explained, elide, toggle};
 use crate::gui::why::state::explain::Explain;
 use camera_lab_desk::{Action, Model, Question};
 use camera_lab_words::why::explain::{self, Texts};
@@ -63,27 +62,16 @@ struct ExplanationRow {
     words: Words,
     /// The part that stays in sight while the rest is scrolled.
     head: Option<Content>,
-    content: Option<Content>,
+    content: Content,
 }
 
 /// Shows an explanation, or its head.
 type Content = fn(&mut Ui, &mut Model, &mut Explain);
 
-/// A part of another feature, shown among the explanations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
-    /// The part of the exercises that stays in sight.
-    Exercise,
-    /// The part of them that scrolls.
-    Exercises,
-    /// The matrices, in the chosen conventions.
-    Matrices,
-}
-
 impl ExplanationRow {
     /// An explanation that scrolls as a whole.
     const fn new(explanation: Explanation, words: Words, content: Content) -> Self {
-        Self { explanation, words, head: None, content: Some(content) }
+        Self { explanation, words, head: None, content }
     }
 }
 
@@ -136,12 +124,7 @@ const QUESTIONS: &[QuestionRow] = &[
         words: |t| (t.question_able, t.question_able_hint),
         answers: &[
             // Their own feature shows them.
-            ExplanationRow {
-                explanation: Explanation::Exercises,
-                words: |t| (t.exercises, t.exercises_hint),
-                head: None,
-                content: None,
-            },
+            ExplanationRow::new(Explanation::Exercises, |t| (t.exercises, t.exercises_hint), |_, _, _| {}),
             ExplanationRow::new(Explanation::Notes, |t| (t.notes, t.notes_hint), notes::ui),
         ],
     },
@@ -155,19 +138,19 @@ pub(super) fn all(t: &Texts) -> impl Iterator<Item = (Explanation, &'static str,
     })
 }
 
-/// Shows the questions, the explanations of the open one, and the chosen explanation.
-pub(super) fn ui(
-    ui: &mut Ui,
-    model: &mut Model,
-    explain: &mut Explain,
-    other: &mut dyn FnMut(&mut Ui, &mut Model, Part),
-) {
+/// The row of the chosen explanation.
+fn row(model: &Model) -> Option<&'static ExplanationRow> {
+    QUESTIONS.iter().flat_map(|row| row.answers).find(|row| row.explanation == model.explained.shown())
+}
+
+/// Shows the questions, the explanations of the open one, and the part of the chosen explanation that stays in sight.
+pub(super) fn head(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     let t = explain::texts(model.settings.lang);
     ui.add_space(2.0);
     questions(ui, t, model);
-    let Some(question) = QUESTIONS.iter().find(|row| row.question == model.explained.question()) else { return };
+    let open = QUESTIONS.iter().find(|row| row.question == model.explained.question());
     ui.horizontal_wrapped(|ui| {
-        for row in question.answers {
+        for row in open.iter().flat_map(|row| row.answers) {
             let (name, hint) = (row.words)(t);
             let is_shown = model.explained.shown() == row.explanation;
             if toggle(ui, is_shown, name).explained(hint).clicked() {
@@ -176,27 +159,17 @@ pub(super) fn ui(
         }
     });
     ui.add_space(2.0);
-    let Some(row) = question.answers.iter().find(|row| row.explanation == model.explained.shown()) else {
-        return;
-    };
-    match row.head {
-        Some(head) => head(ui, model, explain),
-        None if row.content.is_none() => other(ui, model, Part::Exercise),
-        None => {}
-    }
-    if row.head.is_some() || row.content.is_none() {
+    if let Some(head) = row(model).and_then(|row| row.head) {
+        head(ui, model, explain);
         ui.separator();
     }
-    egui::ScrollArea::vertical().id_salt(("explain", row.explanation)).auto_shrink(false).show(ui, |ui| {
-        match row.content {
-            Some(content) => content(ui, model, explain),
-            None => other(ui, model, Part::Exercises),
-        }
-        if row.explanation == Explanation::Conventions {
-            other(ui, model, Part::Matrices);
-        }
-        keep_in_sight(ui);
-    });
+}
+
+/// Shows the rest of the chosen explanation.
+pub(super) fn content(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
+    if let Some(row) = row(model) {
+        (row.content)(ui, model, explain);
+    }
 }
 
 /// Beside the name of a question on its button, in points.
@@ -247,7 +220,7 @@ fn compare_button(ui: &mut Ui, model: &mut Model) {
 
 /// The numbers of the symbols, without the rest of the window.
 struct ExplainedSetting {
-    camera: Camera,
+    camera: crate::camera::Camera,
     /// The selected object, by its name.
     object: Option<(String, Placement)>,
 }

@@ -9,8 +9,6 @@ use crate::explain::{Axis, Component, Symbol};
 use crate::gui::kit::{Explained, TextField, mathematics, theme};
 use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::notes::Notes;
-use crate::limits::MAX_TYPED_NAME;
-use crate::pipeline::Stage;
 use camera_lab_desk::Model;
 use camera_lab_words::why::explain::Texts;
 use camera_lab_words::why::notes::{self, Note, Piece};
@@ -54,14 +52,14 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
             explain.notes.go_to(notes::SOURCES);
         }
     }
-    if let Some(stage) = Stage::ALL.into_iter().find(|stage| notes::of_stage(*stage) == note.id) {
+    if let Some(stage) = crate::pipeline::Stage::ALL.into_iter().find(|stage| notes::of_stage(*stage) == note.id) {
         stages::source(ui, stages_words::texts(t.lang), stage);
     }
 }
 
 /// The search field. Enter opens the first note found.
 fn search(ui: &mut Ui, t: &Texts, state: &mut Notes) {
-    let field = TextField::line(&mut state.wanted, MAX_TYPED_NAME);
+    let field = TextField::line(&mut state.wanted, crate::limits::MAX_TYPED_NAME);
     let field = field.with(|edit| edit.hint_text(t.search_notes).desired_width(f32::INFINITY));
     let response = field.show(ui, t.lang).explained(t.search_notes_hint).accessible_name(t.search_notes);
     if response.lost_focus()

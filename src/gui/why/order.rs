@@ -1,8 +1,6 @@
 //! The explanation of order: a list of transforms on an object, read from either end, and the same list in another
 //! order.
 
-use std::collections::BTreeSet;
-
 use eframe::egui::{self, RichText, Slider, Ui};
 use glam::{DMat4, DVec3};
 
@@ -11,7 +9,6 @@ use super::steps::numbers;
 use super::{ExplainedSetting, order_list};
 use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, exchanged, in_force, read, same};
 use crate::explain::{Formula, Placement};
-use crate::figure::TransformPreview;
 use crate::geometry::{Ray, try_unit};
 use crate::gui::kit::{Explained, alternatives, choice, complaint, mathematics, section, theme};
 use crate::gui::why::state::explain::Explain;
@@ -221,7 +218,7 @@ fn equation(ui: &mut Ui, before: &str, calls: &[Call]) {
 fn place(model: &mut Model, selected: OrderedObject<'_>, stage: Stage, wrong: bool) {
     let scene = &model.desk.shown.figure().scene;
     let (parent, now, objects) = match selected {
-        None => (DMat4::IDENTITY, DMat4::IDENTITY, BTreeSet::new()),
+        None => (DMat4::IDENTITY, DMat4::IDENTITY, std::collections::BTreeSet::new()),
         Some((name, placement)) => {
             let mut objects = descendants(scene, name);
             objects.insert(name.clone());
@@ -235,7 +232,7 @@ fn place(model: &mut Model, selected: OrderedObject<'_>, stage: Stage, wrong: bo
         Some(Ray { origin: parent.transform_point3(axis.origin), direction })
     });
     if change.is_finite() {
-        model.frame.placed.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
+        model.frame.placed.push(crate::figure::TransformPreview { objects, change, world_from_frame, axis, wrong });
     }
 }
 

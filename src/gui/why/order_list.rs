@@ -3,14 +3,12 @@
 use eframe::egui::{
     self, CursorIcon, Key, Modifiers, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
-use glam::DVec3;
 
 use crate::explain::order::Call;
 use crate::gui::kit::{Explained, NumberField, Step, at_right, help_topic_row, theme};
 use crate::gui::why::state::order::Order;
 use camera_lab_words::why::order as words;
 use camera_lab_words::why::order::Texts;
-use camera_lab_words::window;
 
 /// Widths, in points: of the dots, of number and symbol, of a button at the right.
 const DOTS: f32 = 14.0;
@@ -20,7 +18,7 @@ const BUTTON: f32 = 20.0;
 const BUTTONS: f32 = 3.0 * (BUTTON + 6.0);
 
 /// A change of the list, applied after all rows have been shown.
-enum Change {
+enum OrderChange {
     Step(usize, bool),
     Put(usize, usize),
     Remove(usize),
@@ -52,7 +50,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
                     held = Some((place, dots.drag_stopped()));
                 }
                 if dots.has_focus() && ui.input(|input| input.key_pressed(Key::Delete)) {
-                    change = Some(Change::Remove(place));
+                    change = Some(OrderChange::Remove(place));
                 }
                 fields(ui, t, &mut order.list[place].call, key);
                 if let Some(asked) = buttons(ui, t, place, key, order.list.len()) {
@@ -72,16 +70,16 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
     if let Some((from, dropped)) = held {
         let to = target(ui, &rows);
         if dropped {
-            change = Some(Change::Put(from, to));
+            change = Some(OrderChange::Put(from, to));
         } else {
             insertion_line(ui, &rows, to);
         }
     }
     match change {
         None => return,
-        Some(Change::Step(key, forward)) => order.step(key, forward),
-        Some(Change::Put(from, to)) => order.put(from, to),
-        Some(Change::Remove(place)) => drop(order.list.remove(place)),
+        Some(OrderChange::Step(key, forward)) => order.step(key, forward),
+        Some(OrderChange::Put(from, to)) => order.put(from, to),
+        Some(OrderChange::Remove(place)) => drop(order.list.remove(place)),
     }
     ui.ctx().request_repaint();
 }
@@ -147,7 +145,7 @@ fn fields(ui: &mut Ui, t: &'static Texts, call: &mut Call, key: usize) {
     let symbol = call.symbol();
     let room = ui.available_width() - BUTTONS;
     let hint = words::kind(t.lang, *call);
-    let texts = window::texts(t.lang);
+    let texts = camera_lab_words::window::texts(t.lang);
     match call {
         Call::Translate(v) | Call::Scale(v) => {
             let width = ((room - 2.0 * 3.0) / 3.0).floor().max(30.0);
@@ -156,7 +154,7 @@ fn fields(ui: &mut Ui, t: &'static Texts, call: &mut Call, key: usize) {
                 let field = NumberField::new(format!("{symbol} {axis}"), Step::Add(0.1)).of(&owner);
                 field.prefix(axis).hint(hint).width(width).show(ui, texts, component);
             }
-            *v = DVec3::from_array(components);
+            *v = glam::DVec3::from_array(components);
         }
         Call::RotateX(degrees) | Call::RotateY(degrees) | Call::RotateZ(degrees) => {
             let field = NumberField::angle(symbol, 5.0).of(&owner);
@@ -169,7 +167,7 @@ fn fields(ui: &mut Ui, t: &'static Texts, call: &mut Call, key: usize) {
 }
 
 /// Earlier, later, away, at the right end of the row.
-fn buttons(ui: &mut Ui, t: &'static Texts, place: usize, key: usize, count: usize) -> Option<Change> {
+fn buttons(ui: &mut Ui, t: &'static Texts, place: usize, key: usize, count: usize) -> Option<OrderChange> {
     let number = place + 1;
     let (up, down, away) = at_right(ui, |ui| {
         let mut button = |sign: &str, name: &str, enabled: bool| {
@@ -179,9 +177,9 @@ fn buttons(ui: &mut Ui, t: &'static Texts, place: usize, key: usize, count: usiz
         (button("▲", t.earlier, place > 0), button("▼", t.later, place + 1 < count), button("✕", t.remove, true))
     });
     match (up, down, away) {
-        (true, _, _) => Some(Change::Step(key, false)),
-        (_, true, _) => Some(Change::Step(key, true)),
-        (_, _, true) => Some(Change::Remove(place)),
+        (true, _, _) => Some(OrderChange::Step(key, false)),
+        (_, true, _) => Some(OrderChange::Step(key, true)),
+        (_, _, true) => Some(OrderChange::Remove(place)),
         _ => None,
     }
 }

@@ -10,7 +10,6 @@ use crate::figure::points::may_be_named;
 use crate::gui::kit::{Explained, KeptLine, NumberField, Step, complaint, help_topic_row, toggle};
 use crate::gui::why::state::explain::Explain;
 use crate::limits::{MAX_NAMED_POINTS, MAX_TYPED_NAME};
-use crate::sanitize::escaped;
 use crate::views::{Probe, shadows_at, texel_at};
 use camera_lab_desk::{Model, Space};
 use camera_lab_words::why::explain_point::{self, Texts};
@@ -64,7 +63,7 @@ fn choose(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let chosen = model.follow.index(&points);
     ui.horizontal_wrapped(|ui| {
         for (i, point) in points.iter().enumerate() {
-            if toggle(ui, chosen == Some(i), escaped(&point.name)).clicked() {
+            if toggle(ui, chosen == Some(i), crate::sanitize::escaped(&point.name)).clicked() {
                 model.follow.choose(&point.name);
             }
         }

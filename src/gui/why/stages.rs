@@ -4,7 +4,6 @@ use eframe::egui::{RichText, Ui};
 
 use crate::gui::kit::Explained;
 use crate::gui::why::state::explain::Explain;
-use crate::pipeline::Stage;
 use camera_lab_desk::Model;
 use camera_lab_words::why::sources::with_titles;
 use camera_lab_words::why::{pipeline, stages};
@@ -36,7 +35,7 @@ fn shown(ui: &mut Ui, t: &stages::Texts, model: &Model) {
 }
 
 /// The source file of a stage, for readers who want to see how it works.
-pub(super) fn source(ui: &mut Ui, t: &stages::Texts, stage: Stage) {
+pub(super) fn source(ui: &mut Ui, t: &stages::Texts, stage: crate::pipeline::Stage) {
     let text = RichText::new(format!("{}: {}", t.in_the_code, stage.source())).small().weak();
     ui.label(text).explained(t.in_the_code_hint);
 }

@@ -1,8 +1,6 @@
 //! The explanation of steps. The view volume becomes the canonical one, step by step, in the picture of the canonical
 //! volume, and this tab has its factors.
 
-use std::time::Duration;
-
 use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, Slider, Ui};
 use glam::DMat4;
 
@@ -15,7 +13,6 @@ use crate::gui::why::matrix::entries;
 use crate::gui::why::matrix::matrices::{cells, reading};
 use crate::gui::why::state::explain::Explain;
 use crate::numbers::without_rests;
-use crate::views::View;
 use camera_lab_desk::{Action, FileFor, Model, Reading, Steps, end_of, step_at, time_of};
 use camera_lab_words::why::explain::Texts;
 use camera_lab_words::why::{explain as words, notes};
@@ -45,9 +42,9 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
     if steps.plays() {
         // Whole steps don't move in between.
         let pause = if model.settings.reduce_motion { 200 } else { 0 };
-        ui.ctx().request_repaint_after(Duration::from_millis(pause));
+        ui.ctx().request_repaint_after(std::time::Duration::from_millis(pause));
     }
-    if !model.layout.is_shown(View::Canonical) {
+    if !model.layout.is_shown(crate::views::View::Canonical) {
         ui.label(t.steps_hidden);
     }
     list(ui, lang, &camera, &factors, (&mut model.explained.steps, &mut shown));

@@ -1,14 +1,11 @@
 //! One triangle step by step. Its corners in each space, the cuts, the pixels that it covers and their depths.
 
 use eframe::egui::{self, RichText, Ui};
-use glam::DVec3;
 
-use crate::camera::ImageSize;
 use crate::figure::{ShownTriangle, TriangleStep, View};
 use crate::gui::kit::{Explained, NumberField, Step, complain, help_topic, help_topic_row, toggle, whole};
 use crate::gui::why::state::explain::Explain;
 use crate::gui::why::state::triangle::Covered;
-use crate::numbers::DecimalMark;
 use crate::picture::TrianglePixels;
 use crate::pipeline::Stage;
 use crate::pipeline::one_triangle::TriangleSteps;
@@ -24,7 +21,7 @@ use camera_lab_words::{Lang, window};
 struct Page<'a> {
     t: &'a Texts,
     labels: &'a Labels,
-    mark: DecimalMark,
+    mark: crate::numbers::DecimalMark,
     digits: usize,
 }
 
@@ -182,7 +179,7 @@ impl Page<'_> {
         self.mark.number(value, self.digits)
     }
 
-    fn point(&self, p: DVec3) -> String {
+    fn point(&self, p: glam::DVec3) -> String {
         self.tuple(&p.to_array())
     }
 
@@ -293,7 +290,13 @@ impl Page<'_> {
         }
     }
 
-    fn depth(&self, ui: &mut Ui, pixels: Option<&TrianglePixels>, image: ImageSize, asked: &mut Option<[u32; 2]>) {
+    fn depth(
+        &self,
+        ui: &mut Ui,
+        pixels: Option<&TrianglePixels>,
+        image: crate::camera::ImageSize,
+        asked: &mut Option<[u32; 2]>,
+    ) {
         if !self.covers(ui, pixels) {
             return;
         }

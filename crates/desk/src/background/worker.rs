@@ -3,10 +3,8 @@
 mod in_frames;
 mod shares;
 
-use std::cell::Cell;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::pin::Pin;
 use std::rc::Rc;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -23,13 +21,13 @@ type Work<Job, Outcome> = Box<dyn FnMut(Job, Progress) -> Slices<Outcome>>;
 type Make<Job, Outcome> = Arc<dyn Fn() -> Work<Job, Outcome> + Send + Sync>;
 
 /// A running job, which ends a slice at each [pause](crate::progress::pause).
-type Slices<Outcome> = Pin<Box<dyn Future<Output = Option<Outcome>>>>;
+type Slices<Outcome> = std::pin::Pin<Box<dyn Future<Output = Option<Outcome>>>>;
 
 /// Work done by `work`, with its state from one job to the next.
 fn one_by_one<Job: 'static, Outcome: 'static>(
     work: impl AsyncFnMut(Job, &Progress) -> Outcome + 'static,
 ) -> Work<Job, Outcome> {
-    let kept = Rc::new(Cell::new(Some(work)));
+    let kept = Rc::new(std::cell::Cell::new(Some(work)));
     Box::new(move |job, progress| {
         let kept = Rc::clone(&kept);
         Box::pin(async move {

@@ -1,6 +1,5 @@
 //! The source of a figure.
 
-use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use crate::document::Document;
@@ -24,7 +23,7 @@ impl Source {
     }
 
     /// Its name: that of the built-in figure, or of its file without folder and ending.
-    pub fn name(&self) -> Cow<'_, str> {
+    pub fn name(&self) -> std::borrow::Cow<'_, str> {
         match self {
             Self::Shipped(name) => (*name).into(),
             Self::File(path) => path.file_stem().unwrap_or_default().to_string_lossy(),

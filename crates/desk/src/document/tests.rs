@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::geometry::Angle;
+use crate::scene::Preset;
 
 fn azimuth(degrees: f64) -> Operation {
     Operation::Azimuth(Angle::from_degrees(degrees))

@@ -3,7 +3,6 @@
 
 use crate::camera::{Camera, Decomposition};
 use crate::figure::ShownStep;
-use crate::views::Normalizing;
 
 /// Duration of a step in playback, in seconds.
 const STEP_SECONDS: f64 = 2.0;
@@ -39,7 +38,7 @@ pub fn step_at(way: Decomposition, time: f64, camera: &Camera) -> ShownStep {
 
 /// The number of steps applied, 0 … all.
 pub fn time_of(step: ShownStep, camera: &Camera) -> f64 {
-    Normalizing::of(step, camera).map_or(0.0, |way| way.time)
+    crate::views::Normalizing::of(step, camera).map_or(0.0, |way| way.time)
 }
 
 impl Steps {

@@ -3,7 +3,6 @@
 use crate::camera::{Amount, Camera, Convention, Freedom, Operation};
 use crate::model::Model;
 use crate::operations::DoneStep;
-use crate::views::Ghost;
 
 /// Seconds in which the pictures of a step before fade into those of the next one.
 pub const FADE: f64 = 0.4;
@@ -40,7 +39,7 @@ impl Model {
         self.finish_motion();
         let (start, convention) = (self.desk.shown.camera().clone(), self.operations.convention);
         let operation = freedom.by(amount);
-        let ghost = Ghost { before: start.clone(), operation, convention };
+        let ghost = crate::views::Ghost { before: start.clone(), operation, convention };
         self.operations.last = Some(ghost.clone());
         self.operations.done = Some(DoneStep { ghost, since: None });
         if self.settings.reduce_motion || operation.apply(&start, convention).is_err() {

@@ -3,9 +3,7 @@
 use glam::DVec3;
 
 use crate::camera::{Camera, Convention, Freedom, ImageSize};
-use crate::exercises::place_of;
 use crate::history::Revision;
-use crate::scene::Scene;
 
 /// An invisible change of size.
 const SAME: f64 = 0.01;
@@ -99,12 +97,14 @@ impl About {
     /// The question of an operation, by its effect on the scene. `None` if the image has no content before and after it
     /// that can be followed.
     pub fn of(
-        (camera, image, scene): (&Camera, ImageSize, &Scene),
+        (camera, image, scene): (&Camera, ImageSize, &crate::scene::Scene),
         (freedom, amount): (Freedom, f64),
         convention: Convention,
     ) -> Option<Self> {
         let after = freedom.by(amount).apply(camera, convention).ok()?;
-        let seen = |camera: &Camera, point: DVec3| place_of(camera, image, point).filter(|at| is_in(*at, image, 0.0));
+        let seen = |camera: &Camera, point: DVec3| {
+            crate::exercises::place_of(camera, image, point).filter(|at| is_in(*at, image, 0.0))
+        };
         let both = |point: DVec3| Some([seen(camera, point)?, seen(&after, point)?]);
         let followed: Vec<[[f64; 2]; 2]> = scene.vertices().filter_map(|vertex| both(vertex.p_world)).collect();
         if freedom == Freedom::Zoom {

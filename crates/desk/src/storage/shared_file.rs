@@ -6,8 +6,6 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use crate::background::worker::Worker;
-use crate::limits::MAX_KEPT_BYTES;
-use crate::progress::Progress;
 use crate::storage::session::{Keeping, News, aside};
 use crate::{Wake, clock};
 use camera_lab_files::disk::{self, Lock};
@@ -42,7 +40,7 @@ type Held<T> = (String, T, Option<PathBuf>);
 /// The present file, empty if it doesn't exist. Content that can't be parsed, or is far too large, is set aside under
 /// another name.
 fn read<C: Change>(file: &Path) -> Result<Held<C::Content>, FileError> {
-    let bytes = match files::read_at_most(file, MAX_KEPT_BYTES) {
+    let bytes = match files::read_at_most(file, crate::limits::MAX_KEPT_BYTES) {
         Err(FileError::Read(error)) if error.kind() == io::ErrorKind::NotFound => return Ok(Held::default()),
         Err(FileError::TooLarge(_)) => None,
         bytes => Some(bytes?),
@@ -100,8 +98,9 @@ impl<C: Change> SharedFile<C> {
         name: &'static str,
         (what, set_aside): (Keeping, fn(PathBuf) -> News),
     ) -> (Self, Option<C::Content>) {
-        let worker =
-            Worker::new(name, clock::now, || async |(path, change): (PathBuf, C), _: &Progress| write(&path, &change));
+        let worker = Worker::new(name, clock::now, || {
+            async |(path, change): (PathBuf, C), _: &crate::progress::Progress| write(&path, &change)
+        });
         let mut file = Self { path, what, set_aside, worker, asked: None, told: false, news: Vec::new() };
         let content = match read::<C>(&file.path) {
             Ok((_, content, set_aside)) => {

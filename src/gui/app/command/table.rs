@@ -2,11 +2,10 @@
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
-use super::{InBrowser, Menu, Row};
+use super::{CommandRow, InBrowser, Menu};
 use crate::appearance;
-use crate::figure::Explanation;
 use crate::gui::app::file_flow;
-use crate::gui::app::file_flow::questions::{Dialog, Purpose, TitleForm};
+use crate::gui::app::file_flow::questions::{Dialog, FileFlow, Purpose, TitleForm};
 use crate::gui::app::search::Search;
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::Subject;
@@ -14,12 +13,13 @@ use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::state::compare::{CompareForm, swap};
 use crate::gui::kit::keys::Command::{self, *};
+use crate::gui::learn::Learn;
 use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::lesson::state::Playing;
-use crate::limits::MAX_CAMERAS;
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
-use camera_lab_desk::{Intent, Message, ObserverChange, Panels, Side, layout};
+use camera_lab_desk::settings::Settings;
+use camera_lab_desk::{Intent, Message, Model, ObserverChange, Panels, Side, layout};
 use camera_lab_files::{self as files, Overwrite};
 use camera_lab_words::learn::{handouts, lessons};
 use camera_lab_words::window::{Texts, cameras, canvas, compare, labels, sharing};
@@ -35,7 +35,7 @@ macro_rules! row {
             .on(|s| s.model.desk.shown.figure().world.$flag)
     };
     (tab $tab:ident, $keys:expr, $label:ident, $hint:ident) => {
-        row!(Tab(layout::Tab::$tab), $keys, $label, $hint, |s, _| show_tab(s, layout::Tab::$tab))
+        row!(Tab(layout::Tab::$tab), $keys, $label, $hint, |s, _| show_tab(&mut s.model.settings, layout::Tab::$tab))
             .on(|s| s.model.settings.tab == layout::Tab::$tab && s.model.settings.panels().is_shown(Side::Left))
     };
     (panel $command:ident, $side:ident, $keys:expr, $label:ident, $hint:ident) => {
@@ -47,7 +47,7 @@ macro_rules! row {
             .on(|s| s.model.layout.is_shown(View::$view))
     };
     (arrangement $arrangement:expr, $keys:expr) => {
-        Row::new(
+        CommandRow::new(
             Arrange($arrangement),
             $keys,
             |t| (canvas::texts(t.lang).arrangement($arrangement), t.arrange_hint),
@@ -62,10 +62,10 @@ macro_rules! row {
         row!(Observe($change), $keys, $label, $hint, |s, _| s.model.frame.observer_change = Some($change))
     };
     ($command:expr, $keys:expr, $label:ident, $hint:ident, $run:expr) => {
-        Row::new($command, $keys, |t| (t.$label, t.$hint), $run)
+        CommandRow::new($command, $keys, |t| (t.$label, t.$hint), $run)
     };
     ($command:expr, $keys:expr, $texts:ident::$label:ident, $hint:ident, $run:expr) => {
-        Row::new($command, $keys, |t| ($texts::texts(t.lang).$label, $texts::texts(t.lang).$hint), $run)
+        CommandRow::new($command, $keys, |t| ($texts::texts(t.lang).$label, $texts::texts(t.lang).$hint), $run)
     };
 }
 
@@ -77,9 +77,13 @@ pub const MENUS: &[Menu] = &[
         groups: &[
             &[
                 row!(New, ctrl(Key::N), new, new_hint, |s, ctx| file_flow::begin(ctx, s, Intent::New)).browsers_keys(),
-                row!(Gallery, ctrl(Key::G), gallery, gallery_hint, |s, _| show_dialog(s, Dialog::Gallery)),
+                row!(Gallery, ctrl(Key::G), gallery, gallery_hint, |s, _| s.file_flow.show(Dialog::Gallery)),
                 row!(Open, ctrl(Key::O), open, open_hint, |s, ctx| file_flow::begin(ctx, s, Intent::Open)),
-                row!(Recent, ctrl_shift(Key::O), recent, recent_hint, |s, _| show_recent(s)).not_in_browser(),
+                row!(Recent, ctrl_shift(Key::O), recent, recent_hint, |s, _| {
+                    s.gallery.part = Part::Recent;
+                    s.file_flow.show(Dialog::Gallery);
+                })
+                .not_in_browser(),
             ],
             &[
                 row!(Save, ctrl(Key::S), save, save_hint, save),
@@ -92,7 +96,7 @@ pub const MENUS: &[Menu] = &[
                 .not_in_browser()
                 .listed_if(|s| !files::own_files(s.model.desk.shown.figure()).is_empty()),
                 row!(Title, ctrl(Key::I), title_command, title_hint, |s, _| {
-                    show_dialog(s, Dialog::Title(TitleForm::of(&s.model, None)));
+                    s.file_flow.show(Dialog::Title(TitleForm::of(&s.model, None)));
                 }),
             ],
             &[
@@ -103,7 +107,7 @@ pub const MENUS: &[Menu] = &[
                 row!(Handout, ctrl(Key::P), handouts::handout, handout_hint, |s, _| show_handout(s, true))
                     .browsers_keys(),
                 row!(ExerciseSheet, alt(Key::K), handouts::sheet, sheet_hint, |s, _| show_handout(s, false)),
-                row!(CopyLink, ctrl(Key::K), sharing::copy_link, copy_link_hint, |s, _| show_dialog(s, Dialog::Link)),
+                row!(CopyLink, ctrl(Key::K), sharing::copy_link, copy_link_hint, |s, _| s.file_flow.show(Dialog::Link)),
             ],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, Intent::Quit))
                 .not_in_browser()],
@@ -118,7 +122,9 @@ pub const MENUS: &[Menu] = &[
                 s.family = std::mem::take(&mut s.family).or_last();
                 show_export(s);
             }),
-            row!(QrCode, ctrl_shift(Key::K), sharing::code, code_hint, |s, _| show_code(s)),
+            row!(QrCode, ctrl_shift(Key::K), sharing::code, code_hint, |s, _| {
+                show_code(&mut s.file_flow, !s.sharing.address().is_empty());
+            }),
         ]],
     },
     Menu {
@@ -135,7 +141,10 @@ pub const MENUS: &[Menu] = &[
             &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.model.desk.shown.reset())
                 .enabled(|s| s.model.desk.shown.can_reset())
                 .browsers_keys()],
-            &[row!(CopyNumbers, ctrl_shift(Key::C), copy_numbers, copy_numbers_hint, copy_numbers)],
+            &[row!(CopyNumbers, ctrl_shift(Key::C), copy_numbers, copy_numbers_hint, |s, ctx| copy_numbers(
+                &mut s.model,
+                ctx
+            ))],
         ],
     },
     Menu {
@@ -155,22 +164,25 @@ pub const MENUS: &[Menu] = &[
                 row!(arrangement Some(Arrangement::Beside), ctrl(Key::Num8)),
             ],
             &[
-                row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(s, true))
+                row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(&mut s.model, true))
                     .enabled(|s| s.model.views.can_go(s.model.desk.shown.figure().observers, true)),
-                row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(s, false))
-                    .enabled(|s| s.model.views.can_go(s.model.desk.shown.figure().observers, false)),
+                row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(
+                    &mut s.model,
+                    false
+                ))
+                .enabled(|s| s.model.views.can_go(s.model.desk.shown.figure().observers, false)),
                 row!(world section, Section, alt(Key::Num8), section_view, section_view_hint),
                 row!(world dimensions, Dimensions, alt(Key::Num9), dimensions, dimensions_hint)
                     .enabled(|s| !s.model.desk.shown.figure().world.section)
                     .disabled_because(|t| t.dimensions_in_section),
                 row!(Compare, ctrl_shift(Key::D), compare::command, command_hint, |s, _| {
-                    show_dialog(s, Dialog::Compare(CompareForm::of(s.model.desk.shown.figure())));
+                    s.file_flow.show(Dialog::Compare(CompareForm::of(s.model.desk.shown.figure())));
                 }),
                 row!(KeepCamera, shift(Key::F4), cameras::add, add_hint, |s, _| {
                     let name = s.model.keep_camera();
                     s.model.say(Message::CameraKept(name));
                 })
-                .enabled(|s| s.model.desk.shown.figure().cameras.len() < MAX_CAMERAS)
+                .enabled(|s| s.model.desk.shown.figure().cameras.len() < crate::limits::MAX_CAMERAS)
                 .disabled_because(|t| cameras::texts(t.lang).full),
                 row!(SwapSides, plain(Key::F4), compare::swap, swap_command_hint, |s, _| swap(&mut s.model)),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch model.layout.linked),
@@ -203,29 +215,36 @@ pub const MENUS: &[Menu] = &[
                 row!(tab Drawing, plain(Key::F7), drawing_tab, drawing_tab_hint),
                 row!(panel ParametersPanel, Left, plain(Key::F8), parameters_panel, parameters_panel_hint),
                 row!(panel NumbersPanel, Right, plain(Key::F9), numbers_panel, numbers_panel_hint),
-                row!(Explain, alt(Key::E), explain_panel, explain_panel_hint, |s, _| toggle_explain(s))
+                row!(Explain, alt(Key::E), explain_panel, explain_panel_hint, |s, _| toggle_explain(&mut s.model))
                     .on(|s| s.model.settings.panels().is_shown(Side::Explain) && !s.model.shows_exercises()),
-                row!(Exercises, alt(Key::X), exercises, exercises_hint, |s, _| toggle_exercises(s))
-                    .on(|s| s.model.shows_exercises()),
+                row!(Exercises, alt(Key::X), exercises, exercises_hint, |s, _| toggle_exercises(
+                    &mut s.model,
+                    &mut s.learn
+                ))
+                .on(|s| s.model.shows_exercises()),
                 row!(Pipeline, plain(Key::F10), pipeline, pipeline_hint, switch model.layout.strip),
                 row!(Numerics, ctrl(Key::Num9), numerics, numerics_hint, switch numerics.shown),
             ],
             &[
-                row!(Theme, ctrl(Key::T), theme, theme_hint, |s, _| toggle_theme(s))
+                row!(Theme, ctrl(Key::T), theme, theme_hint, |s, _| toggle_theme(&mut s.model.settings.theme))
                     .on(|s| s.model.settings.theme == appearance::Theme::Dark)
                     .browsers_keys(),
                 row!(ReduceMotion, alt(Key::M), reduce_motion, reduce_motion_hint, switch model.settings.reduce_motion),
             ],
             &[
-                row!(ZoomIn, ctrl(Key::Plus), zoom_in, zoom_in_hint, |s, _| zoom_by(s, 0.1))
+                row!(ZoomIn, ctrl(Key::Plus), zoom_in, zoom_in_hint, |s, _| zoom_by(&mut s.model.settings.zoom, 0.1))
                     // On most keyboards + is on the key of =.
                     .or(ctrl(Key::Equals))
                     .browsers_keys(),
-                row!(ZoomOut, ctrl(Key::Minus), zoom_out, zoom_out_hint, |s, _| zoom_by(s, -0.1)).browsers_keys(),
+                row!(ZoomOut, ctrl(Key::Minus), zoom_out, zoom_out_hint, |s, _| zoom_by(
+                    &mut s.model.settings.zoom,
+                    -0.1
+                ))
+                .browsers_keys(),
                 row!(ZoomReset, ctrl(Key::Num0), zoom_reset, zoom_reset_hint, |s, _| s.model.settings.zoom = 1.0)
                     .browsers_keys(),
             ],
-            &[Row::new(
+            &[CommandRow::new(
                 Language,
                 ctrl(Key::L),
                 |t| (t.lang.next().name(), camera_lab_words::window::texts(t.lang.next()).language_hint),
@@ -259,19 +278,19 @@ pub const MENUS: &[Menu] = &[
                 row!(StepAgain, alt(Key::Z), lessons::again, again_hint, |s, _| s.learn.step_again(&mut s.model))
                     .in_lesson(),
                 row!(StepText, alt(Key::C), lessons::text_command, text_hint, |s, _| {
-                    change_lesson(s, |playing| playing.shows_text ^= true);
+                    change_lesson(&mut s.learn, |playing| playing.shows_text ^= true);
                 })
                 .in_lesson()
                 .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_text)),
                 row!(StepQuestion, alt(Key::A), lessons::question_command, question_hint, |s, _| {
                     let presents = s.model.settings.presentation;
-                    change_lesson(s, |playing| playing.go_on_asking(presents));
+                    change_lesson(&mut s.learn, |playing| playing.go_on_asking(presents));
                 })
                 .in_lesson()
                 .on(|s| s.learn.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
                 row!(StepNotes, alt(Key::N), lessons::notes_command, notes_hint, |s, _| {
                     let presents = s.model.settings.presentation;
-                    change_lesson(s, |playing| playing.toggle_notes(presents));
+                    change_lesson(&mut s.learn, |playing| playing.toggle_notes(presents));
                 })
                 .in_lesson()
                 .on(|s| {
@@ -297,11 +316,14 @@ pub const MENUS: &[Menu] = &[
         in_bar: true,
         groups: &[&[
             row!(Lessons, ctrl_shift(Key::L), lessons::lessons_command, lessons_hint, |s, _| show_lessons(s)),
-            row!(Search, ctrl(Key::F), search, search_hint, |s, _| show_search(s))
-                .or(ctrl_shift(Key::P))
-                .browsers_keys(),
-            row!(Help, plain(Key::F1), help, help_hint, |s, _| show_dialog(s, Dialog::Help)),
-            row!(About, shift(Key::F1), about, about_hint, |s, _| show_dialog(s, Dialog::About)),
+            row!(Search, ctrl(Key::F), search, search_hint, |s, _| {
+                s.search = Search::default();
+                s.file_flow.show(Dialog::Search);
+            })
+            .or(ctrl_shift(Key::P))
+            .browsers_keys(),
+            row!(Help, plain(Key::F1), help, help_hint, |s, _| s.file_flow.show(Dialog::Help)),
+            row!(About, shift(Key::F1), about, about_hint, |s, _| s.file_flow.show(Dialog::About)),
         ]],
     },
 ];
@@ -330,7 +352,7 @@ const fn alt(key: Key) -> KeyboardShortcut {
 /// Label and hint.
 type Words = fn(&Texts) -> (&'static str, &'static str);
 
-impl Row {
+impl CommandRow {
     /// A command that is always available, and is neither on nor off.
     const fn new(command: Command, shortcut: KeyboardShortcut, words: Words, run: fn(&mut State, &Context)) -> Self {
         Self {
@@ -410,8 +432,8 @@ fn write_lesson(state: &mut State, ctx: &Context) {
     }
 }
 
-fn change_lesson(state: &mut State, change: impl FnOnce(&mut Playing)) {
-    if let Some(playing) = &mut state.learn.lesson {
+fn change_lesson(learn: &mut Learn, change: impl FnOnce(&mut Playing)) {
+    if let Some(playing) = &mut learn.lesson {
         change(playing);
     }
 }
@@ -430,37 +452,22 @@ fn save(state: &mut State, ctx: &Context) {
     }
 }
 
-fn show_dialog(state: &mut State, dialog: Dialog) {
-    state.file_flow.dialog = Some(dialog);
-}
-
-fn show_search(state: &mut State) {
-    state.search = Search::default();
-    show_dialog(state, Dialog::Search);
-}
-
-fn show_recent(state: &mut State) {
-    state.gallery.part = Part::Recent;
-    show_dialog(state, Dialog::Gallery);
-}
-
 /// Opens the list of lessons, including those of the figures' folder.
 fn show_lessons(state: &mut State) {
     state.learn.look_for_lessons(&state.model, state.gallery.folder());
-    show_dialog(state, Dialog::Lessons);
+    state.file_flow.show(Dialog::Lessons);
 }
 
 /// Shows the QR code of the link to the screen. Without the address of a page, asks for that first.
-fn show_code(state: &mut State) {
-    let has_address = state.own_address.is_some() || !state.page_address.is_empty();
-    show_dialog(state, if has_address { Dialog::Qr } else { Dialog::Link });
-    state.file_flow.refused = (!has_address).then_some(Message::AddressFirst);
+fn show_code(file_flow: &mut FileFlow, has_address: bool) {
+    file_flow.show(if has_address { Dialog::Qr } else { Dialog::Link });
+    file_flow.refused = (!has_address).then_some(Message::AddressFirst);
 }
 
 fn show_handout(state: &mut State, is_lesson: bool) {
     state.learn.look_for_lessons(&state.model, state.gallery.folder());
     let form = HandoutForm::of(&state.learn, state.model.settings.lang, is_lesson);
-    show_dialog(state, Dialog::Handout(form));
+    state.file_flow.show(Dialog::Handout(form));
 }
 
 /// Opens the export dialog as the user left it, or for the displayed views if these have changed since.
@@ -470,18 +477,18 @@ fn show_export(state: &mut State) {
         state.export.what = displayed;
     }
     state.export.fit_screen(state.model.frame.picture_sizes, state.model.frame.screen_scale);
-    show_dialog(state, Dialog::Export(state.export));
+    state.file_flow.show(Dialog::Export(state.export));
 }
 
-fn copy_numbers(state: &mut State, ctx: &Context) {
-    ctx.copy_text(number_tables::text(&state.model));
-    state.model.say(Message::NumbersCopied);
+fn copy_numbers(model: &mut Model, ctx: &Context) {
+    ctx.copy_text(number_tables::text(model));
+    model.say(Message::NumbersCopied);
 }
 
 /// Shows the 3D pictures from an earlier or later viewpoint, if there is one.
-fn see_as(state: &mut State, back: bool) {
-    if let Some(observers) = state.model.views.go(state.model.desk.shown.figure().observers, back) {
-        *state.model.desk.shown.observers_mut() = observers;
+fn see_as(model: &mut Model, back: bool) {
+    if let Some(observers) = model.views.go(model.desk.shown.figure().observers, back) {
+        *model.desk.shown.observers_mut() = observers;
     }
 }
 
@@ -496,37 +503,36 @@ fn step(state: &mut State, ctx: &Context, forwards: bool) {
     }
 }
 
-fn show_tab(state: &mut State, tab: layout::Tab) {
-    state.model.settings.tab = tab;
-    state.model.settings.panels_mut().show(Side::Left);
+fn show_tab(settings: &mut Settings, tab: layout::Tab) {
+    settings.tab = tab;
+    settings.panels_mut().show(Side::Left);
 }
 
-fn toggle_exercises(state: &mut State) {
-    if state.model.shows_exercises() && state.learn.exercises.was_called {
-        state.model.settings.panels_mut().toggle(Side::Explain);
+fn toggle_exercises(model: &mut Model, learn: &mut Learn) {
+    if model.shows_exercises() && learn.exercises.was_called {
+        model.settings.panels_mut().toggle(Side::Explain);
     } else {
-        state.model.show_explanation(Explanation::Exercises);
-        state.learn.exercises.call();
+        model.show_explanation(crate::figure::Explanation::Exercises);
+        learn.exercises.call();
     }
 }
 
 /// The explanations and the exercises share a panel. One of them is on.
-fn toggle_explain(state: &mut State) {
-    if state.model.shows_exercises() {
-        let [last, ..] = state.model.explained.last();
-        state.model.explained.show(last);
+fn toggle_explain(model: &mut Model) {
+    if model.shows_exercises() {
+        let [last, ..] = model.explained.last();
+        model.explained.show(last);
     } else {
-        state.model.settings.panels_mut().toggle(Side::Explain);
+        model.settings.panels_mut().toggle(Side::Explain);
     }
 }
 
-fn toggle_theme(state: &mut State) {
-    let theme = &mut state.model.settings.theme;
+fn toggle_theme(theme: &mut appearance::Theme) {
     *theme = if *theme == appearance::Theme::Dark { appearance::Theme::Light } else { appearance::Theme::Dark };
 }
 
-fn zoom_by(state: &mut State, more: f32) {
-    state.model.settings.zoom = (state.model.settings.zoom + more).clamp(0.5, 3.0);
+fn zoom_by(zoom: &mut f32, more: f32) {
+    *zoom = (*zoom + more).clamp(0.5, 3.0);
 }
 
 fn toggle_presentation(state: &mut State, ctx: &Context) {

@@ -7,7 +7,6 @@ use crate::gui::app::file_flow::questions::{Purpose, TEXTURE_ENDINGS};
 use crate::gui::app::state::State;
 use crate::gui::platform::native::{FileQuestion, Wanted};
 use crate::scene::import::MESH_ENDINGS;
-use crate::views::Views;
 use camera_lab_desk::FileFor;
 use camera_lab_words::file_names::name_of_title;
 use camera_lab_words::learn::{exercise_window, handouts, lessons};
@@ -69,7 +68,7 @@ impl FileKind {
                     _ if is_family => {
                         name_of_title(families::texts(lang).family).map_or_else(String::new, |name| format!("-{name}"))
                     }
-                    Views::All => String::new(),
+                    crate::views::Views::All => String::new(),
                     some => format!("-{}", some.name().replace(',', "-")),
                 };
                 let name = format!("{stem}{what}.{}", export.format.ending());

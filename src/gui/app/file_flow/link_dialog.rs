@@ -1,13 +1,10 @@
 //! The figure as a link: its purpose, its address, and its length.
 
-use std::collections::BTreeSet;
-
 use eframe::egui::{self, RichText};
 
 use crate::figure::Figure;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::Dialog;
-use crate::gui::app::state::State;
 use crate::gui::kit::{Explained, Pressed, TextField, buttons, complaint};
 use crate::gui::learn::Learn;
 use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
@@ -15,47 +12,67 @@ use crate::sanitize;
 use camera_lab_desk::{Memo, Message, Model};
 use camera_lab_files as files;
 use camera_lab_files::share::{self, Held, ShareError};
-use camera_lab_words::messages;
 use camera_lab_words::window::{Texts, sharing};
 
-/// Shows the dialog. `first` is true when it has just been opened.
-pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {
-    let words = sharing::texts(state.model.settings.lang);
+/// The address of links, and the link that a dialog shows.
+#[derive(Debug, Default)]
+pub struct Sharing {
+    /// The address of that page, if others can open it too.
+    pub own_address: Option<String>,
+    /// The address of a page with this program, for links, as entered by the user.
+    pub page_address: String,
+    /// The shown link, by the address and whether it holds a whole lesson. Computed when the dialog is opened, since
+    /// nothing behind it changes.
+    link: Memo<(String, bool), Result<String, ShareError>>,
+}
+
+/// Shows the dialog, with the reason why it's `asked` for. Returns the dialog that stays open. `first` is true when it
+/// has just been opened.
+pub(in crate::gui) fn show(
+    ui: &mut egui::Ui,
+    t: &Texts,
+    model: &mut Model,
+    learn: &mut Learn,
+    (sharing, asked): (&mut Sharing, Option<&Message>),
+    first: bool,
+) -> Option<Dialog> {
+    let words = sharing::texts(model.settings.lang);
     ui.heading(words.title);
     ui.add_space(6.0);
     ui.label(words.text);
     ui.add_space(6.0);
-    let address = address(ui, words, state, first);
+    sharing.show_address(ui, words, first && asked.is_some());
+    let address = sharing.address();
     ui.add_space(6.0);
     if address.is_empty()
-        && let Some(why) = &state.file_flow.refused
+        && let Some(why) = asked
     {
-        complaint(ui, &why.text(state.model.settings.lang));
+        complaint(ui, &why.text(model.settings.lang));
         ui.add_space(6.0);
     }
-    if let Some(playing) = state.learn.lesson.as_mut().filter(|playing| playing.path.is_some()) {
+    if let Some(playing) = learn.lesson.as_mut().filter(|playing| playing.path.is_some()) {
         ui.checkbox(&mut playing.links_whole, words.whole_lesson).explained(words.whole_lesson_hint);
         ui.add_space(6.0);
     }
-    let link = link(&state.model, &state.learn, &mut state.shown_link, &address, first);
+    let link = sharing.link(model, learn, first);
     match &link {
         Ok(link) => {
             // If the clipboard is out of reach, the user can copy the link from here.
             let mut shown = link.as_str();
             let field = TextField::fixed_line(&mut shown);
             let field = field.with(|edit| edit.desired_width(f32::INFINITY).font(egui::TextStyle::Monospace));
-            field.show(ui, state.model.settings.lang).accessible_name(words.link);
+            field.show(ui, model.settings.lang).accessible_name(words.link);
             let length = format!("{} / {MAX_LINK_CHARACTERS} {}", link.len(), words.characters);
             ui.label(RichText::new(length).small().weak());
         }
-        Err(error) => complaint(ui, &messages::link(state.model.settings.lang, *error)),
+        Err(error) => complaint(ui, &camera_lab_words::messages::link(model.settings.lang, *error)),
     }
-    let whole = state.learn.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
+    let whole = learn.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
     let own = match whole {
         Some(playing) => playing.lesson.steps.iter().flat_map(|step| own_files(&step.figure)).collect(),
-        None => own_files(state.model.desk.shown.figure()),
+        None => own_files(model.desk.shown.figure()),
     };
-    let own: Vec<String> = BTreeSet::from_iter(own).into_iter().collect();
+    let own: Vec<String> = std::collections::BTreeSet::from_iter(own).into_iter().collect();
     if !own.is_empty() {
         complaint(ui, &format!("{} {}", words.own_files, sanitize::within(&own.join(", "), 200)));
     }
@@ -65,37 +82,56 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
         Ok(_) => &[t.copy],
         Err(_) => &[],
     };
-    let asks_address = state.file_flow.refused.is_some();
-    match buttons(ui, t.cancel, actions, (first && !asks_address).then_some(0)) {
-        Pressed::Action(1) => state.file_flow.dialog = Some(Dialog::Qr),
+    match buttons(ui, t.cancel, actions, (first && asked.is_none()).then_some(0)) {
+        Pressed::Action(1) => return Some(Dialog::Qr),
         Pressed::Action(_) => {
             if let Ok(link) = link {
                 let length = link.len();
                 ui.ctx().copy_text(link);
-                state.model.say(Message::LinkCopied(length));
+                model.say(Message::LinkCopied(length));
             }
         }
         Pressed::Cancel => {}
-        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Link),
+        Pressed::Nothing => return Some(Dialog::Link),
     }
+    None
 }
 
-/// The link to the state on the screen, for a dialog. `first` is true when it has just been opened.
-///
-/// # Errors
-/// [`ShareError`] if the figure makes it too long.
-pub(in crate::gui) fn link(
-    model: &Model,
-    learn: &Learn,
-    shown_link: &mut Memo<(String, bool), Result<String, ShareError>>,
-    address: &str,
-    first: bool,
-) -> Result<String, ShareError> {
-    if first {
-        shown_link.forget();
+impl Sharing {
+    /// The address that links begin with: that of the page itself, otherwise the one that the user has entered.
+    pub(in crate::gui) fn address(&self) -> String {
+        self.own_address.clone().unwrap_or_else(|| self.page_address.clone())
     }
-    let is_whole = learn.lesson.as_ref().is_some_and(|playing| playing.links_whole);
-    shown_link.of((address.to_owned(), is_whole), |_| made(model, learn, address)).clone()
+
+    /// The link to the state on the screen, for a dialog. `first` is true when it has just been opened.
+    ///
+    /// # Errors
+    /// [`ShareError`] if the figure makes it too long.
+    pub(in crate::gui) fn link(&mut self, model: &Model, learn: &Learn, first: bool) -> Result<String, ShareError> {
+        if first {
+            self.link.forget();
+        }
+        let is_whole = learn.lesson.as_ref().is_some_and(|playing| playing.links_whole);
+        self.link.of((self.address(), is_whole), |(address, _)| made(model, learn, address)).clone()
+    }
+
+    /// Shows the address, or its field, which gets the keyboard if the address is `wanted`.
+    fn show_address(&mut self, ui: &mut egui::Ui, words: &sharing::Texts, wanted: bool) {
+        if let Some(own) = &self.own_address {
+            ui.label(format!("{}: {}", words.address, sanitize::escaped(own)));
+            return;
+        }
+        let label = ui.label(words.address);
+        let address = &mut self.page_address;
+        let field = TextField::line(address, MAX_TYPED);
+        let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(words.address_hint));
+        let field = field.show(ui, words.lang).labelled_by(label.id);
+        if wanted && address.is_empty() {
+            field.request_focus();
+        }
+        *address = address.split('#').next().unwrap_or_default().trim().to_owned();
+        ui.label(RichText::new(if address.is_empty() { words.no_address } else { words.address_text }).weak());
+    }
 }
 
 /// The link: for a built-in lesson to its step, otherwise with the whole figure in it.
@@ -115,25 +151,6 @@ fn made(model: &Model, learn: &Learn, address: &str) -> Result<String, ShareErro
 fn whole_lesson(learn: &Learn) -> Option<String> {
     let playing = learn.lesson.as_ref().filter(|playing| playing.links_whole)?;
     files::read_lesson(playing.path.as_deref()?).ok().map(|(_, text)| text)
-}
-
-/// The address that the link begins with: that of the page itself, otherwise the one that the user enters.
-fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State, first: bool) -> String {
-    if let Some(own) = &state.own_address {
-        ui.label(format!("{}: {}", words.address, sanitize::escaped(own)));
-        return own.clone();
-    }
-    let label = ui.label(words.address);
-    let address = &mut state.page_address;
-    let field = TextField::line(address, MAX_TYPED);
-    let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(words.address_hint));
-    let field = field.show(ui, state.model.settings.lang).labelled_by(label.id);
-    if first && address.is_empty() && state.file_flow.refused.is_some() {
-        field.request_focus();
-    }
-    *address = address.split('#').next().unwrap_or_default().trim().to_owned();
-    ui.label(RichText::new(if address.is_empty() { words.no_address } else { words.address_text }).weak());
-    address.clone()
 }
 
 /// The files that a figure names and that aren't part of the program.

@@ -5,13 +5,15 @@ use std::sync::Arc;
 
 use crate::figure::Photograph;
 use crate::gui::app::file_flow::begin;
+use crate::gui::app::file_flow::questions::Dialog;
 use crate::gui::app::file_flow::reading::Take;
 use crate::gui::app::state::State;
+use crate::gui::inspector::state::compare::{self, CompareForm};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::lessons::{Lesson, OpenLesson};
 use crate::scene::{Shape, TextureSource};
-use camera_lab_desk::{Document, Intent, MeshFor, Message, Model, Source};
+use camera_lab_desk::{Document, Intent, MeshFor, Message, Model, Recent, Source};
 use camera_lab_files::{self as files, FileError, Opened, share};
 
 /// Puts a mesh file into the scene.
@@ -53,10 +55,10 @@ type Show = Box<dyn FnOnce(&mut State, PathBuf) + Send>;
 pub(super) fn read(path: PathBuf) -> Take {
     let show: Show = if files::is_lesson(&path) {
         let read = files::read_lesson(&path).map(|(lesson, _)| Arc::new(lesson));
-        Box::new(|state, path| lesson(state, path, read))
+        Box::new(|State { model, learn, recent, .. }, path| lesson(model, learn, recent, path, read))
     } else {
         let opened = files::open_figure_with_any_camera(&path).map(|(opened, _)| opened);
-        Box::new(|state, path| figure(state, path, opened))
+        Box::new(|State { model, learn, recent, .. }, path| figure(model, learn, recent, path, opened))
     };
     Box::new(move |ctx, state, is_changed| {
         if is_changed && state.model.is_unsaved() {
@@ -68,24 +70,39 @@ pub(super) fn read(path: PathBuf) -> Take {
     })
 }
 
+/// Reads the figure to compare with. The comparison is shown then.
+pub(super) fn read_compared(path: PathBuf) -> Take {
+    let opened = files::open_figure_with_any_camera(&path).map(|(opened, _)| opened);
+    Box::new(move |_, State { model, file_flow, .. }, _| {
+        if compare::with_file(model, &path, opened) {
+            file_flow.show(Dialog::Compare(CompareForm::of(model.desk.shown.figure())));
+        }
+    })
+}
+
 /// Plays the lesson of a file or link.
-fn lesson(state: &mut State, path: PathBuf, lesson: Result<Arc<Lesson>, FileError>) {
+fn lesson(
+    model: &mut Model,
+    learn: &mut Learn,
+    recent: &mut Recent,
+    path: PathBuf,
+    lesson: Result<Arc<Lesson>, FileError>,
+) {
     match lesson {
         Ok(lesson) => {
             let is_link = share::link_of(&path).is_some();
             let path = if is_link { path } else { files::whole(&path) };
             if !is_link {
-                state.recent.add(&path);
+                recent.add(&path);
             }
-            state.learn.play(&mut state.model, OpenLesson { lesson, path: Some(path), step: 0 });
+            learn.play(model, OpenLesson { lesson, path: Some(path), step: 0 });
         }
-        Err(error) => state.model.say(Message::File(path, error)),
+        Err(error) => model.say(Message::File(path, error)),
     }
 }
 
 /// Shows the figure of a file or link.
-fn figure(state: &mut State, path: PathBuf, opened: Result<Opened, FileError>) {
-    let State { model, learn, recent, .. } = state;
+fn figure(model: &mut Model, learn: &mut Learn, recent: &mut Recent, path: PathBuf, opened: Result<Opened, FileError>) {
     let document = match opened {
         Ok(opened) => {
             let (figure, file) = opened.at(&path);

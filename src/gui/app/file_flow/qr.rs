@@ -3,20 +3,24 @@
 use eframe::egui::{self, Align2, Color32, Key, Modifiers, Rect, Sense, TextStyle, Ui, vec2};
 use qrcode::{Color, EcLevel, QrCode};
 
-use crate::gui::app::file_flow::link_dialog;
-use crate::gui::app::file_flow::questions::Dialog;
-use crate::gui::app::state::State;
+use crate::gui::app::file_flow::link_dialog::Sharing;
+use crate::gui::learn::Learn;
 use camera_lab_words::window::sharing;
 
 /// The free border around the code, in modules, as the standard requires.
 const QUIET: usize = 4;
 
 /// Fills the window with the code, dark on light in every theme, because cameras read nothing else well. `first` is
-/// true when it has just been opened.
-pub(in crate::gui) fn show(ctx: &egui::Context, state: &mut State, first: bool) {
-    let t = sharing::texts(state.model.settings.lang);
-    let address = state.own_address.clone().unwrap_or_else(|| state.page_address.clone());
-    let link = link_dialog::link(&state.model, &state.learn, &mut state.shown_link, &address, first);
+/// true when it has just been opened. Returns false once it's closed.
+pub(in crate::gui) fn show(
+    ctx: &egui::Context,
+    model: &camera_lab_desk::Model,
+    learn: &Learn,
+    sharing: &mut Sharing,
+    first: bool,
+) -> bool {
+    let t = sharing::texts(model.settings.lang);
+    let link = sharing.link(model, learn, first);
     let code = link.as_ref().ok().and_then(|link| QrCode::with_error_correction_level(link, EcLevel::L).ok());
     let rect = ctx.content_rect();
     let mut closes = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
@@ -35,9 +39,7 @@ pub(in crate::gui) fn show(ctx: &egui::Context, state: &mut State, first: bool) 
         let label = code.as_ref().map_or(t.too_long_for_code, |_| t.code);
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, label));
     });
-    if !closes {
-        state.file_flow.dialog = Some(Dialog::Qr);
-    }
+    !closes
 }
 
 fn paint(ui: &Ui, rect: Rect, code: &QrCode, link: &str) {

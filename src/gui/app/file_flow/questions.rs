@@ -1,6 +1,5 @@
 //! Questions about files, and pending work with them.
 
-use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
@@ -14,9 +13,7 @@ use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::handout::pages::PagesPreview;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
-use crate::sanitize;
-use camera_lab_desk::{Comparison, FileFor, Message, NewsList, Revision, Running, Theirs, Watch};
-use camera_lab_words::Lang;
+use camera_lab_desk::{FileFor, LineComparison, Message, NewsList, Revision, Running, Theirs, Watch};
 use camera_lab_words::window::{self, scenes};
 
 /// The purpose of a file.
@@ -70,7 +67,7 @@ pub struct Changed {
     /// The content of the file.
     pub theirs: Theirs,
     /// The differing lines, once requested.
-    pub comparison: Option<Comparison>,
+    pub comparison: Option<LineComparison>,
 }
 
 /// The typed words of a figure.
@@ -127,7 +124,7 @@ pub enum Dialog {
     /// The treatment of the children of deleted objects.
     Delete {
         /// Their names.
-        names: BTreeSet<String>,
+        names: std::collections::BTreeSet<String>,
         /// Number of other objects below them.
         below: usize,
     },
@@ -276,6 +273,11 @@ impl Dialog {
 }
 
 impl FileFlow {
+    /// Opens a dialog.
+    pub fn show(&mut self, dialog: Dialog) {
+        self.dialog = Some(dialog);
+    }
+
     /// Opens a file in the next frame, like a dropped one.
     pub fn give(&mut self, path: PathBuf) {
         self.given.push(path);
@@ -319,8 +321,8 @@ impl FileFlow {
     }
 
     /// The files being written or read, each in a sentence, and their progress.
-    pub(in crate::gui) fn running(&self, lang: Lang) -> Vec<(String, Running)> {
-        let about = |words: &str, path: &Path| format!("{words} {}", sanitize::path(path));
+    pub(in crate::gui) fn running(&self, lang: camera_lab_words::Lang) -> Vec<(String, Running)> {
+        let about = |words: &str, path: &Path| format!("{words} {}", crate::sanitize::path(path));
         let written = self.exporting.iter().filter_map(|exporting| {
             Some((about(window::texts(lang).exporting, exporting.path()), exporting.running()?))
         });

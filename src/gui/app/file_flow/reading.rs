@@ -5,17 +5,15 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use crate::clock;
 use crate::gui::app::state::State;
 use crate::gui::kit::frames;
-use crate::progress::Progress;
 use camera_lab_desk::{Model, Revision, Running, Worker};
 
 /// Time that a frame waits for a file. Files on a disk of this machine are there by then.
 const PATIENCE: Duration = Duration::from_millis(if cfg!(test) { 60_000 } else { 50 });
 
-/// What a frame does with a file once it's read. The last argument is true if the window's figure has changed since the
-/// file was asked for.
+/// Goes on with a file that has been read. The last argument is true if the window's figure has changed since the file
+/// was asked for.
 pub(super) type Take = Box<dyn FnOnce(&egui::Context, &mut State, bool) + Send>;
 
 /// Reads a file, beside the window's thread.
@@ -33,7 +31,8 @@ pub struct Reading {
 
 impl Default for Reading {
     fn default() -> Self {
-        let worker = Worker::new("file", clock::now, || async |read: Read, _: &Progress| read());
+        let worker =
+            Worker::new("file", crate::clock::now, || async |read: Read, _: &crate::progress::Progress| read());
         Self { worker, asked: None, patience: PATIENCE }
     }
 }
@@ -54,8 +53,8 @@ impl Reading {
         self.worker.ask(&frames(ctx), 0, read);
     }
 
-    /// What to do with the file once it's there, and if the window's figure has changed since the request. Nothing if the user has
-    /// gone on to another figure.
+    /// The way to go on with the file once it's there, and if the window's figure has changed since the request. None if
+    /// the user has gone on to another figure.
     pub(super) fn take(&mut self, model: &Model, patience: Duration) -> Option<(Take, bool)> {
         let [done] = self.worker.take(patience);
         let take = done?.outcome?;

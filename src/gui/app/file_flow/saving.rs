@@ -5,11 +5,8 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use crate::clock;
 use crate::figure::{Figure, update};
-use crate::gui::app::state::State;
 use crate::gui::kit::frames;
-use crate::progress::Progress;
 use camera_lab_desk::background::worker;
 use camera_lab_desk::{Model, Revision, Theirs, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileChange, FileError, Overwrite, Renamed, disk};
@@ -104,14 +101,14 @@ pub(super) struct Save {
 
 impl Save {
     /// The figure into this file.
-    pub(super) fn of(state: &State, path: PathBuf, agreed: Agreed) -> Self {
-        Self { path, agreed, with_files: false, for_errand: state.model.desk.errand().is_some() }
+    pub(super) fn of(model: &Model, path: PathBuf, agreed: Agreed) -> Self {
+        Self { path, agreed, with_files: false, for_errand: model.desk.errand().is_some() }
     }
 }
 
 /// A save that is under way.
 #[derive(Debug)]
-struct Running {
+struct RunningSave {
     worker: Worker<ToSave, Saved>,
     save: Save,
     /// The document in it; `None` if it has been saved elsewhere meanwhile.
@@ -121,7 +118,7 @@ struct Running {
 /// The files being written. One that stalls keeps no other from being written.
 #[derive(Debug)]
 pub struct Saving {
-    running: Vec<Running>,
+    running: Vec<RunningSave>,
     /// Saves that wait for another one of the same file, each with its document.
     queued: Vec<(Save, Revision)>,
     /// Time that a frame waits for a file. Tests have more of it.
@@ -150,10 +147,10 @@ impl Saving {
             is_own: document.path() == Some(&save.path),
             agreed: save.agreed.clone(),
         };
-        let write = async |job: ToSave, _: &Progress| job.run().unwrap_or_else(Saved::Failed);
-        let mut worker = Worker::new("save", clock::now, move || write);
+        let write = async |job: ToSave, _: &crate::progress::Progress| job.run().unwrap_or_else(Saved::Failed);
+        let mut worker = Worker::new("save", crate::clock::now, move || write);
         worker.ask(&frames(ctx), 0, job);
-        self.running.push(Running { worker, save, document: Some(document.id()) });
+        self.running.push(RunningSave { worker, save, document: Some(document.id()) });
     }
 
     /// Saves a document once the file isn't being written any more. The last request counts. An intent waits for it if
@@ -197,7 +194,7 @@ impl Saving {
             Some((k, done?.outcome))
         })?;
         let bug = || Saved::Failed(FileError::Write(std::io::Error::other("a bug in this program")));
-        let Running { save, document, .. } = self.running.remove(k);
+        let RunningSave { save, document, .. } = self.running.remove(k);
         for before in self.running.iter_mut().take(k).filter(|before| before.document == document) {
             // Its file is no longer that of the document.
             before.document = None;

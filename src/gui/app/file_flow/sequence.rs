@@ -13,7 +13,7 @@ use camera_lab_files::{SHIPPED_FIGURES, open_figure};
 
 /// The inputs of the search for the next figure.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
+pub(super) struct FigureSearch {
     /// The open figure.
     here: Option<Source>,
     /// Figures that were left with changes.
@@ -24,15 +24,15 @@ pub(super) struct Search {
 /// The next figure that can be opened.
 #[derive(Debug)]
 pub(super) struct Found {
-    search: Search,
+    search: FigureSearch,
     /// The figure, or the kept one. `None` at the end of the sequence.
-    next: Option<Next>,
+    next: Option<NextFigure>,
     /// The reasons why the ones before it couldn't be opened.
     faults: Vec<Message>,
 }
 
 #[derive(Debug)]
-struct Next {
+struct NextFigure {
     source: Option<Source>,
     /// `None` if it was left with changes.
     document: Option<Box<Document>>,
@@ -41,7 +41,7 @@ struct Next {
     of: usize,
 }
 
-impl Search {
+impl FigureSearch {
     /// Looks for the figure after the open one, or for the one before.
     pub(super) fn of(model: &Model, forwards: bool) -> Self {
         let kept = model.desk.left().collect();
@@ -84,7 +84,7 @@ impl Search {
             match opened {
                 Ok(document) => {
                     let (source, document) = (source.clone(), document.map(Box::new));
-                    let next = Some(Next { source, document, number: next + 1, of: places.len() });
+                    let next = Some(NextFigure { source, document, number: next + 1, of: places.len() });
                     return Found { search: self, next, faults };
                 }
                 Err(error) => faults.push(*error),
@@ -113,7 +113,7 @@ fn document_at(place: Option<&Source>) -> Result<Document, Box<Message>> {
 
 /// Shows the figure found. Work in the one before is kept.
 pub(super) fn show(state: &mut State, found: Found) {
-    let Found { search: Search { here, forwards, .. }, next, faults } = found;
+    let Found { search: FigureSearch { here, forwards, .. }, next, faults } = found;
     let State { model, learn, annotations, recent, file_flow, .. } = state;
     let shown = next.and_then(|next| {
         let document =

@@ -1,7 +1,6 @@
 //! The question for the title and the caption of a figure, in both languages.
 
 use std::iter;
-use std::path::Path;
 
 use eframe::egui::{self, Key, Modifiers, RichText};
 
@@ -11,7 +10,6 @@ use crate::gui::app::file_flow::questions::{Dialog, FileFlow, Purpose, TitleForm
 use crate::gui::app::state::State;
 use crate::gui::kit::{Pressed, TextField, buttons, text_field};
 use crate::limits::{MAX_CAPTION, MAX_TITLE, MAX_TYPED};
-use crate::sanitize;
 use camera_lab_desk::Model;
 use camera_lab_words::window::{Texts, sharing};
 use camera_lab_words::{Lang, told, told_mut};
@@ -77,9 +75,10 @@ pub(in crate::gui) fn show(
     ui.label(RichText::new(t.title_note).small().weak());
     let by_system = state.file_flow.native && !state.model.in_browser;
     let path = form.then.as_ref().and_then(|purpose| {
-        let mut path = form.path.clone().unwrap_or_else(|| proposal(state, purpose, form.title.clone()));
+        let mut path =
+            form.path.clone().unwrap_or_else(|| proposal(FileKind::of(state, purpose), t.lang, form.title.clone()));
         // Without a folder it would land anywhere, so the system's dialog asks.
-        let has_folder = Path::new(&path).parent().is_some_and(|folder| !folder.as_os_str().is_empty());
+        let has_folder = std::path::Path::new(&path).parent().is_some_and(|folder| !folder.as_os_str().is_empty());
         if by_system && form.path.is_none() && !has_folder {
             return None;
         }
@@ -124,10 +123,10 @@ pub(in crate::gui) fn show(
 }
 
 /// The file of a figure with this title.
-fn proposal(state: &State, purpose: &Purpose, title: Localized) -> String {
+fn proposal(kind: FileKind, lang: Lang, title: Localized) -> String {
     let title = written(title);
-    let title = title.as_ref().map(|title| told(state.model.settings.lang, title));
-    FileKind::of(state, purpose).with_name_of(title).proposal().display().to_string()
+    let title = title.as_ref().map(|title| told(lang, title));
+    kind.with_name_of(title).proposal().display().to_string()
 }
 
 fn accept(model: &mut Model, file_flow: &mut FileFlow, form: TitleForm) -> Option<Purpose> {
@@ -146,7 +145,8 @@ fn accept(model: &mut Model, file_flow: &mut FileFlow, form: TitleForm) -> Optio
 /// A text of one line in each language. English replaces an empty one, or else the first.
 fn written(text: Localized) -> Option<Localized> {
     let line = |_: &str, text: &str| {
-        let words = text.split(|c: char| c.is_whitespace() || sanitize::is_obeyed(c)).filter(|word| !word.is_empty());
+        let words =
+            text.split(|c: char| c.is_whitespace() || crate::sanitize::is_obeyed(c)).filter(|word| !word.is_empty());
         words.collect::<Vec<_>>().join(" ")
     };
     let Localized { en, pt_br, others } = text.map(line);

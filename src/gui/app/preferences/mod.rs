@@ -10,7 +10,6 @@ mod progress_tests;
 mod store;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
@@ -24,7 +23,6 @@ use crate::gui::app::launch_options::LANGUAGES;
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::{FamilyChoice, Subject, Varied};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
-use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
 use camera_lab_desk::{Side, WindowPlace};
 
@@ -173,7 +171,7 @@ const KEYS: &[Key] = &[
         },
     },
     // Empty: not known.
-    key!("page_address", [page_address], |own| own.as_str(), text),
+    key!("page_address", [sharing.page_address], |own| own.as_str(), text),
     // Empty: none.
     Key {
         name: "exercise_folder",
@@ -278,12 +276,12 @@ fn text(value: &Value) -> Option<String> {
 }
 
 /// A whole number in a range.
-fn whole(value: &Value, range: RangeInclusive<usize>) -> Option<usize> {
+fn whole(value: &Value, range: std::ops::RangeInclusive<usize>) -> Option<usize> {
     value.as_integer().and_then(|whole| usize::try_from(whole).ok()).filter(|whole| range.contains(whole))
 }
 
 fn digits(value: &Value) -> Option<usize> {
-    whole(value, 2..=EXACT_DIGITS)
+    whole(value, 2..=crate::numbers::EXACT_DIGITS)
 }
 
 fn times(value: &Value) -> Option<Option<u32>> {
@@ -447,7 +445,7 @@ mod tests {
         changed.model.settings.conventions =
             Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
         changed.gallery.remember(PathBuf::from("/lectures"));
-        changed.page_address = "https://example.org/lab/".to_owned();
+        changed.sharing.page_address = "https://example.org/lab/".to_owned();
         changed.learn.exercises.look_into(Some(PathBuf::from("/exercises")));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
         let (theme, times, format) = (Theme::Light, Some(3), PictureFormat::WebP);

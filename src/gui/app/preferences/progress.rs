@@ -4,7 +4,6 @@
 //! A window merges its progress into the present content of the file, so two windows lose nothing of each other.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::time::Duration;
 
 use eframe::egui;
@@ -69,7 +68,7 @@ pub(in crate::gui) struct KeptProgress {
 
 impl KeptProgress {
     /// Loads the file in `folder`, and the answers in `preferences` from before there was one.
-    pub(in crate::gui) fn begin(folder: &Path, learn: &mut Learn, preferences: &DocumentMut) -> Self {
+    pub(in crate::gui) fn begin(folder: &std::path::Path, learn: &mut Learn, preferences: &DocumentMut) -> Self {
         let (file, content) =
             SharedFile::open(folder.join("progress.toml"), "progress", (Keeping::Progress, News::ProgressSetAside));
         if let Some((document, progress)) = content {

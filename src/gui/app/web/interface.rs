@@ -2,8 +2,6 @@
 //! same origin can read the figure, set another one, get a link, and lay notes over the pictures. `docs/web.md`
 //! describes it.
 
-use std::path::PathBuf;
-
 use eframe::WebRunner;
 use eframe::egui::{Key, Modifiers};
 use js_sys::{Object, Reflect};
@@ -26,7 +24,7 @@ pub(in crate::gui) fn offer(window: &Window, runner: &WebRunner) -> Result<(), J
     });
     Reflect::set(&lab, &"figure".into(), &figure.into_js_value())?;
     let open = Closure::<dyn Fn(String)>::new(|text: String| {
-        let path = PathBuf::from("figure.toml");
+        let path = std::path::PathBuf::from("figure.toml");
         page::give(path.clone(), text.into_bytes());
         arrive(path);
     });
@@ -34,7 +32,7 @@ pub(in crate::gui) fn offer(window: &Window, runner: &WebRunner) -> Result<(), J
     let of = runner.clone();
     let link = Closure::<dyn Fn() -> Result<JsValue, JsValue>>::new(move || {
         let Some(page) = of.app_mut::<Page>() else { return Ok(JsValue::NULL) };
-        let address = page.app.state.own_address.clone().unwrap_or_default();
+        let address = page.app.state.sharing.own_address.clone().unwrap_or_default();
         let link = share::link(&address, Held::Figure, &file_flow::text_as_shown(&page.app.state.model));
         link.map(JsValue::from).map_err(|error| js_sys::Error::new(&error.to_string()).into())
     });

@@ -4,7 +4,6 @@
 mod interface;
 mod store;
 
-use std::any::Any;
 use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};
 
@@ -15,12 +14,10 @@ use web_sys::{HtmlCanvasElement, Window};
 
 use crate::appearance::Theme;
 use crate::export::format::FIGURE_ENDINGS;
-use crate::figure::Figure;
 use crate::gui::app::file_flow;
 use crate::gui::platform::native;
 use crate::gui::{App, GuiError, LaunchOptions, Start, State};
 use crate::scene::import::MESH_ENDINGS;
-use camera_lab_desk::Intent;
 use camera_lab_desk::document::fresh;
 use camera_lab_files::disk::page::KEPT;
 use camera_lab_files::{self as files, SourceFile, share};
@@ -170,7 +167,7 @@ impl Page {
         };
         let restore = file.is_none();
         let mut state = State::new(Start { figure, file, lang, allow_files: false, lesson: None, later: None })?;
-        state.own_address = own_address(&location);
+        state.sharing.own_address = own_address(&location);
         let width = window.inner_width().ok().and_then(|width| width.as_f64());
         if !is_framed(&window) && width.is_some_and(|width| width < f64::from(crate::gui::app::menu::PHONE)) {
             // The pictures need all the available space, until a panel is requested.
@@ -188,7 +185,7 @@ impl Page {
         }
         if let Some(open) = asked.open_lesson() {
             // If the user left changes here, the link replaces the figure only after a question.
-            file_flow::begin(ctx, &mut app.state, Intent::Lesson(open));
+            file_flow::begin(ctx, &mut app.state, camera_lab_desk::Intent::Lesson(open));
         }
         if let Some(error) = fault {
             app.state.model.say(camera_lab_desk::message::Message::File(PathBuf::new(), error));
@@ -226,7 +223,7 @@ impl Page {
 }
 
 /// The figure of a link, and its text.
-fn read_link(link: &Path) -> Result<(Figure, SourceFile), files::FileError> {
+fn read_link(link: &Path) -> Result<(crate::figure::Figure, SourceFile), files::FileError> {
     Ok(files::open_figure(link)?.at(link))
 }
 
@@ -267,7 +264,7 @@ impl eframe::App for Page {
         eframe::App::raw_input_hook(&mut self.app, ctx, input);
     }
 
-    fn as_any_mut(&mut self) -> Option<&mut dyn Any> {
+    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
         Some(self)
     }
 }

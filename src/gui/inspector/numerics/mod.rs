@@ -11,7 +11,6 @@ use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
 use crate::gui::inspector::numerics::state::Numerics;
 use crate::gui::kit::{Explained, choice, color_of, export_button, keep_in_sight};
-use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
 use camera_lab_desk::{Action, Intent, Model};
 use camera_lab_words::why::numerics as words;
@@ -162,7 +161,7 @@ fn methods(ui: &mut Ui, model: &Model, numerics: &mut Numerics, findings: &Findi
     let mut parameters: Vec<f64> = rows.iter().map(|row| row.parameter).collect();
     parameters.dedup();
     let at = numerics.parameter.unwrap_or(parameters.len().saturating_sub(1));
-    let number = |x: f64| lang.mark().printed(&significant(x, 3));
+    let number = |x: f64| lang.mark().printed(&crate::numbers::significant(x, 3));
     let value = |x: f64| lang.mark().printed(&words::value(x));
     let parameter = parameters.get(at).copied().unwrap_or_default();
     ui.horizontal(|ui| {

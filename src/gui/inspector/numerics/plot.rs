@@ -5,10 +5,8 @@ use egui_plot::{Line, LineStyle, Plot, PlotPoint, PlotPoints, Points};
 
 use crate::chart::{Chart, Look, Series};
 use crate::gui::kit::{color_of, logarithmic_x, logarithmic_y, still};
-use crate::numbers::significant;
 use crate::numerics::charts::Pair;
 use crate::numerics::{Findings, Row};
-use camera_lab_words::Lang;
 use camera_lab_words::why::numerics as words;
 
 /// Distance within which the pointer catches a point, in points.
@@ -19,7 +17,7 @@ const READOUT: f32 = 22.0;
 /// Shows a chart and the values under the pointer. Returns the row whose point was clicked.
 pub(super) fn show(
     ui: &mut Ui,
-    lang: Lang,
+    lang: camera_lab_words::Lang,
     findings: &Findings,
     case: &str,
     pair: &Pair,
@@ -54,7 +52,9 @@ pub(super) fn show(
     });
     let row = shown.inner.map(|(_, row)| row);
     let text = match row {
-        Some(row) => words::readout(lang, findings.study, row, |x| lang.mark().printed(&significant(x, 3))),
+        Some(row) => {
+            words::readout(lang, findings.study, row, |x| lang.mark().printed(&crate::numbers::significant(x, 3)))
+        }
         None => words::texts(lang).point_at.to_owned(),
     };
     ui.add(egui::Label::new(egui::RichText::new(text).small()).truncate());

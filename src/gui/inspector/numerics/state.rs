@@ -8,7 +8,6 @@ use eframe::egui;
 use super::this_figure::ThisFigure;
 use crate::gui::kit::frames;
 use crate::numerics::{self, Effort, Findings, Study};
-use crate::progress::Progress;
 use camera_lab_desk::{Latest, Running};
 
 /// The panel of studies.
@@ -50,7 +49,7 @@ impl Default for Numerics {
             found: BTreeMap::new(),
             begun: None,
             measured: Latest::new("numerics", || {
-                async |(study, effort): &(Study, Effort), progress: &Progress| {
+                async |(study, effort): &(Study, Effort), progress: &crate::progress::Progress| {
                     numerics::run(*study, effort, progress).await
                 }
             }),

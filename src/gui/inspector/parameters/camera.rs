@@ -2,14 +2,14 @@
 
 use eframe::egui;
 
-use super::{ParameterForm, lens_menu, row, toggle};
-use crate::camera::{Camera, ParameterKey, Parameters, Projection, ViewWindow};
+use super::lens_menu::{self, free_window, symmetric_window};
+use super::{ParameterForm, row, toggle};
+use crate::camera::{ParameterKey, Projection, ViewWindow};
 use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
 use crate::gui::kit::{Explained, NumberField, Step, help_topic};
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
 use crate::scene::Preset;
-use camera_lab_desk::Model;
 use camera_lab_words::window::Texts;
 
 /// C, PF and VUP.
@@ -28,7 +28,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut ParameterForm) {
 }
 
 /// The kind of projection, θ or H, A, F and B.
-pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &Model) {
+pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, model: &camera_lab_desk::Model) {
     let t = form.t;
     section(ui, t.projection, "projection", true, |ui| {
         kind(ui, form);
@@ -183,23 +183,4 @@ fn sides(ui: &mut egui::Ui, form: &mut ParameterForm) {
     }
     form.parameters.window = Some(ViewWindow { left, right, bottom, top });
     form.complain(ui, ParameterKey::Window, &outputs);
-}
-
-/// Frees the window without changing it.
-fn free_window(parameters: &Parameters, good: &Camera) -> Parameters {
-    let window = Camera::new(parameters).map_or_else(|_| good.window(), |camera| camera.window());
-    Parameters { window: Some(window), ..*parameters }
-}
-
-/// Makes the window symmetric. Its size stays. If only the padlock has been used, θ, H and A stay to the last bit.
-pub(super) fn symmetric_window(parameters: &Parameters) -> Parameters {
-    let before = Parameters { window: None, ..*parameters };
-    let Some(window) = parameters.window else { return before };
-    if Camera::new(&before).is_ok_and(|camera| camera.window() == window) {
-        return before;
-    }
-    let height = window.height();
-    let angle = 2.0 * (height / 2.0 / parameters.near).atan().to_degrees();
-    let after = Parameters { view_angle: angle, height, aspect: window.aspect(), ..before };
-    if Camera::new(&after).is_ok() { after } else { before }
 }

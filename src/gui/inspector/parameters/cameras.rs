@@ -3,9 +3,7 @@
 use eframe::egui::{self, Popup, PopupCloseBehavior};
 
 use super::{complaint, row};
-use crate::appearance::Rgba;
 use crate::camera::{Convergence, Projection};
-use crate::figure::NamedCamera;
 use crate::gui::inspector::section;
 use crate::gui::kit::{Explained, KeptLine, NumberField, Step, number_field};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
@@ -108,9 +106,9 @@ fn color(ui: &mut egui::Ui, model: &mut Model, t: &Texts, index: Option<usize>) 
     let picker = ui.color_edit_button_srgb(&mut chosen).explained(t.color_hint).accessible_name(name);
     if picker.changed() {
         let [r, g, b] = chosen;
-        let chosen = Some(Rgba::rgb(r, g, b));
+        let chosen = Some(crate::appearance::Rgba::rgb(r, g, b));
         model.desk.shown.edit_cameras(|figure| match index.and_then(|i| figure.cameras.get_mut(i)) {
-            Some(NamedCamera { color, .. }) => *color = chosen,
+            Some(crate::figure::NamedCamera { color, .. }) => *color = chosen,
             None => figure.tag.color = chosen,
         });
     }

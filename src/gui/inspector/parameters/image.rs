@@ -1,7 +1,5 @@
 //! The image and the viewport.
 
-use std::ops::RangeInclusive;
-
 use eframe::egui;
 
 use super::{complain, photograph, row};
@@ -98,7 +96,7 @@ fn viewport(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
         let mut pair = |of: [(Symbol, &str); 2],
                         name: &str,
                         hint: &'static str,
-                        range: RangeInclusive<f64>,
+                        range: std::ops::RangeInclusive<f64>,
                         values: [&mut f64; 2]| {
             let [first, second] = values;
             let pair = ui.scope(|ui| {

@@ -3,11 +3,9 @@
 
 use eframe::egui::{self, Popup, PopupCloseBehavior};
 
-use super::camera::symmetric_window;
 use super::{ParameterForm, complain, row, toggle};
 use crate::camera::{Camera, LensForm, LensNumbers, Parameters, Sensor, SensorFit};
 use crate::gui::kit::{Explained, NumberField, Step};
-use crate::numbers::EXACT_DIGITS;
 use camera_lab_words::window::lens::{self, Texts};
 
 /// The values of the menu that no camera has.
@@ -19,7 +17,7 @@ struct Kept {
 }
 
 /// A change of the lens.
-enum Change {
+enum LensChange {
     /// θ, for a symmetric window.
     Form(LensForm),
     /// The window becomes smaller by this factor. It's free, or the form has no place in a figure file.
@@ -54,13 +52,13 @@ pub(super) fn button(ui: &mut egui::Ui, form: &mut ParameterForm) {
 }
 
 /// The rows. Returns the last change that one of them asks for.
-fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> Option<Change> {
+fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> Option<LensChange> {
     let camera = &form.good;
     let lens = camera.lens_numbers(form.image)?;
     let mut change = angles(ui, form, lens, t);
     let focal = |focal_length, sensor: Sensor| match form.parameters.window {
-        None => Change::Form(LensForm::FocalLength { focal_length, sensor }),
-        Some(_) => Change::Zoom(focal_length / camera.focal_length(sensor)),
+        None => LensChange::Form(LensForm::FocalLength { focal_length, sensor }),
+        Some(_) => LensChange::Zoom(focal_length / camera.focal_length(sensor)),
     };
     let mut focal_length = camera.focal_length(kept.sensor);
     if number(ui, form, (t.focal_length, t.focal_length_hint), &mut focal_length) {
@@ -72,13 +70,13 @@ fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> 
     if pair(ui, form, (t.pixels, t.pixels_hint), fields, &mut pixels) {
         // Pixels keep their shape, so the typed one counts.
         let typed = usize::from(pixels[0].to_bits() == lens.focal_length_pixels[0].to_bits());
-        change = Some(Change::Zoom(pixels[typed] / lens.focal_length_pixels[typed]));
+        change = Some(LensChange::Zoom(pixels[typed] / lens.focal_length_pixels[typed]));
     }
     let mut shift = camera.lens_shift(kept.sensor);
     let before = shift;
     let fields = ["x", "y"].map(|axis| NumberField::new(format!("{} {axis}", t.shift), Step::Add(0.05)));
     if pair(ui, form, (t.shift, t.shift_hint), fields, &mut shift) && shift != before {
-        change = Some(Change::Shift(shift));
+        change = Some(LensChange::Shift(shift));
     }
     ui.separator();
     let mut distance = kept.distance.unwrap_or(camera.distance());
@@ -87,12 +85,14 @@ fn rows(ui: &mut egui::Ui, form: &ParameterForm, t: &Texts, kept: &mut Kept) -> 
     }
     let [width, height] = camera.view_size_at(distance);
     let sizes = |digits| [width, height].map(|side| form.lang.mark().number(side, digits)).join(" × ");
-    row(ui, "", t.view_there, t.view_there_hint, |ui| ui.label(sizes(5)).explained(sizes(EXACT_DIGITS)));
+    row(ui, "", t.view_there, t.view_there_hint, |ui| {
+        ui.label(sizes(5)).explained(sizes(crate::numbers::EXACT_DIGITS))
+    });
     change
 }
 
 /// θ, the horizontal and the diagonal angle.
-fn angles(ui: &mut egui::Ui, form: &ParameterForm, lens: LensNumbers, t: &Texts) -> Option<Change> {
+fn angles(ui: &mut egui::Ui, form: &ParameterForm, lens: LensNumbers, t: &Texts) -> Option<LensChange> {
     type OfDegrees = fn(f64) -> LensForm;
     let vertical = form.good.view_angle().degrees();
     let mut change = None;
@@ -110,7 +110,9 @@ fn angles(ui: &mut egui::Ui, form: &ParameterForm, lens: LensNumbers, t: &Texts)
         });
         complain(ui, form.lang, &[output.inner]);
         if degrees.to_bits() != before.to_bits() {
-            change = Some(of_degrees.map_or(Change::Zoom(zoom(before, degrees)), |form| Change::Form(form(degrees))));
+            change = Some(
+                of_degrees.map_or(LensChange::Zoom(zoom(before, degrees)), |form| LensChange::Form(form(degrees))),
+            );
         }
     }
     change
@@ -170,16 +172,16 @@ fn pair(
 }
 
 /// Changes the lens of the parameters.
-fn apply(form: &mut ParameterForm, change: Change, sensor: Sensor) {
+fn apply(form: &mut ParameterForm, change: LensChange, sensor: Sensor) {
     let parameters = form.parameters;
     match change {
-        Change::Form(lens) => {
+        LensChange::Form(lens) => {
             form.parameters.view_angle = lens.view_angle(parameters.aspect);
             // A figure file has no diagonal angle.
             form.new_lens = Some(lens).filter(|lens| !matches!(lens, LensForm::DiagonalAngle(_)));
         }
-        Change::Zoom(factor) => form.parameters = zoomed(&parameters, &form.good, factor),
-        Change::Shift(shift) => {
+        LensChange::Zoom(factor) => form.parameters = zoomed(&parameters, &form.good, factor),
+        LensChange::Shift(shift) => {
             let moved = Parameters { window: Some(form.good.window_with_shift(sensor, shift)), ..parameters };
             // In the middle the window is the symmetric one again.
             form.parameters = if shift == [0.0; 2] { symmetric_window(&moved) } else { moved };
@@ -199,4 +201,23 @@ fn zoomed(parameters: &Parameters, good: &Camera, factor: f64) -> Parameters {
             Parameters { view_angle: lens.view_angle(parameters.aspect), ..*parameters }
         }
     }
+}
+
+/// Frees the window without changing it.
+pub(super) fn free_window(parameters: &Parameters, good: &Camera) -> Parameters {
+    let window = Camera::new(parameters).map_or_else(|_| good.window(), |camera| camera.window());
+    Parameters { window: Some(window), ..*parameters }
+}
+
+/// Makes the window symmetric. Its size stays. If only the padlock has been used, θ, H and A stay to the last bit.
+pub(super) fn symmetric_window(parameters: &Parameters) -> Parameters {
+    let before = Parameters { window: None, ..*parameters };
+    let Some(window) = parameters.window else { return before };
+    if Camera::new(&before).is_ok_and(|camera| camera.window() == window) {
+        return before;
+    }
+    let height = window.height();
+    let angle = 2.0 * (height / 2.0 / parameters.near).atan().to_degrees();
+    let after = Parameters { view_angle: angle, height, aspect: window.aspect(), ..before };
+    if Camera::new(&after).is_ok() { after } else { before }
 }

@@ -20,9 +20,7 @@ use crate::gui::kit::{
     Command, Explained, FieldOutput, NumberField, has_focus, help_topic_row, keep_in_sight, written,
 };
 use crate::numbers;
-use crate::scene::Preset;
 use camera_lab_desk::{Model, Tab, symbols_of};
-use camera_lab_words::Lang;
 use camera_lab_words::messages::faults;
 use camera_lab_words::why::{explain_point, notes};
 use camera_lab_words::window::{self, Texts, scenes};
@@ -107,9 +105,9 @@ fn camera_tab(ui: &mut egui::Ui, model: &mut Model) {
 /// The camera's parameters while their fields are shown, and their faults.
 struct ParameterForm {
     t: &'static Texts,
-    lang: Lang,
+    lang: camera_lab_words::Lang,
     /// The scene that the camera looks at, because the notes have errata for some exercises.
-    preset: Preset,
+    preset: crate::scene::Preset,
     parameters: Parameters,
     error: Option<CameraError>,
     good: Camera,

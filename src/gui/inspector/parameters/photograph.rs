@@ -3,12 +3,10 @@
 use eframe::egui::{self, Label, RichText};
 
 use super::row;
-use crate::camera::ImageSize;
 use crate::figure::Photograph;
 use crate::gui::inspector::scene;
 use crate::gui::kit::{Explained, NumberField, Step, number_field};
 use crate::sanitize;
-use crate::scene::MeshNotice;
 use crate::views::View;
 use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_words::window::photograph::{self as words, Texts};
@@ -68,7 +66,9 @@ fn opacity(ui: &mut egui::Ui, model: &mut Model, t: &Texts, photograph: &Photogr
 fn notice(ui: &mut egui::Ui, model: &mut Model) {
     let notices = &model.scene_cache.scene().notices;
     let found = notices.iter().find_map(|(_, notice)| match notice {
-        MeshNotice::Photograph(error) => Some((messages::mesh_notice(model.settings.lang, notice), error.is_outside())),
+        crate::scene::MeshNotice::Photograph(error) => {
+            Some((messages::mesh_notice(model.settings.lang, notice), error.is_outside()))
+        }
         _ => None,
     });
     if let Some((text, is_outside)) = found {
@@ -91,6 +91,6 @@ fn size(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
     let text = words::size(model.settings.lang, [width, height]);
     ui.add(Label::new(RichText::new(format!("⚠ {text}")).weak()).wrap());
     if ui.button(t.size).explained(t.size_hint).clicked() {
-        model.desk.shown.edit(|figure| figure.image = ImageSize { width, height });
+        model.desk.shown.edit(|figure| figure.image = crate::camera::ImageSize { width, height });
     }
 }

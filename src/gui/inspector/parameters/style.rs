@@ -2,17 +2,13 @@
 
 use eframe::egui;
 
-use super::row;
 use crate::appearance::{HiddenLines, Samples, Shading, Theme, Visibility};
-use crate::figure::Explanation;
 use crate::gui::inspector::{choice_row, more, section};
 use crate::gui::kit::Explained;
-use camera_lab_desk::Model;
-use camera_lab_words::window;
 
 /// Shading, hidden surfaces and lines, samples, theme.
-pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
-    let t = window::texts(model.settings.lang);
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut camera_lab_desk::Model) {
+    let t = camera_lab_words::window::texts(model.settings.lang);
     let mut style = model.desk.shown.figure().style;
     let mut opens = false;
     section(ui, t.style, "style", true, |ui| {
@@ -23,7 +19,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
             (Shading::Phong, t.shading_phong),
         ];
         choice_row(ui, t.shading, t.shading_hint, &mut style.shading, &shadings);
-        row(ui, "", t.visibility, t.visibility_hint, |ui| {
+        super::row(ui, "", t.visibility, t.visibility_hint, |ui| {
             let by = match style.visibility {
                 Visibility::DepthBuffer => t.visibility_depth_buffer,
                 Visibility::Painter => t.visibility_painter,
@@ -46,6 +42,6 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
     });
     model.desk.shown.set(|figure| &mut figure.style, style);
     if opens {
-        model.show_explanation(Explanation::HiddenSurfaces);
+        model.show_explanation(crate::figure::Explanation::HiddenSurfaces);
     }
 }

@@ -6,7 +6,6 @@ use crate::figure::{WorldPart, WorldParts};
 use crate::gui::inspector::{choice_row, section};
 use crate::gui::kit::Explained;
 use crate::numbers::significant;
-use camera_lab_desk::Model;
 use camera_lab_words::pictures::labels;
 use camera_lab_words::{Lang, window};
 
@@ -33,7 +32,7 @@ fn parts(ui: &mut egui::Ui, lang: Lang, parts: &mut WorldParts) {
 }
 
 /// One control for each key of `[world]`.
-pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut camera_lab_desk::Model) {
     let t = window::texts(model.settings.lang);
     let old = model.desk.shown.figure().world;
     let mut world = old;

@@ -5,7 +5,6 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
 use crate::gui::kit::Explained;
-use crate::numbers;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, ObjectSpec, Shape};
 use camera_lab_desk::{Action, FileFor, MeshFor, Model, Selected, free_place, rounded};
 use camera_lab_words::window::scenes::Texts;
@@ -102,5 +101,5 @@ fn size_in(camera: &Camera) -> f64 {
         Projection::Perspective => camera.window().height() / 2.0 / camera.near() * camera.distance(),
     };
     let wanted = half / 5.0;
-    numbers::nice_below(wanted).unwrap_or(1.0)
+    crate::numbers::nice_below(wanted).unwrap_or(1.0)
 }

@@ -1,9 +1,8 @@
 //! The fields of a light, and of its shadows.
 
 use eframe::egui;
-use glam::DVec3;
 
-use super::{Edit, SceneForm};
+use super::{SceneEdit, SceneForm};
 use crate::figure::ShadowReveal;
 use crate::gui::inspector::{VectorField, choice_row, complain, row};
 use crate::gui::kit::{Explained, NumberField, Step, whole};
@@ -12,7 +11,7 @@ use camera_lab_desk::Model;
 use camera_lab_words::window::scenes::Texts;
 
 /// Kind, direction or position. Returns the request of the button.
-pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<SceneEdit> {
     let t = form.t;
     let light = *form.scene.lights.get(index)?;
     let mut kind = light.kind;
@@ -32,7 +31,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
     // A light of the other kind is at the opposite side, or shines from there.
     let vector = match kind {
         _ if kind == light.kind => vector,
-        LightKind::Directional if vector == DVec3::ZERO => DEFAULT_LIGHT,
+        LightKind::Directional if vector == glam::DVec3::ZERO => DEFAULT_LIGHT,
         LightKind::Directional => -vector,
         LightKind::Point => -vector * (10.0 * form.step),
     };
@@ -42,7 +41,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
         reveal(ui, model, form.t);
     }
     ui.add_space(2.0);
-    ui.button(t.delete).explained(t.delete_hint).clicked().then_some(Edit::RemoveLight(index))
+    ui.button(t.delete).explained(t.delete_hint).clicked().then_some(SceneEdit::RemoveLight(index))
 }
 
 /// The inner work of shadows, in all pictures.

@@ -20,14 +20,13 @@ use crate::scene::edit::{self, Children};
 use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
 use camera_lab_desk::{Action, Draft, Message, Model, Selected};
-use camera_lab_words::Lang;
 use camera_lab_words::messages::faults;
 use camera_lab_words::why::notes;
-use camera_lab_words::window;
 use camera_lab_words::window::scenes::{self, Texts};
+use camera_lab_words::{Lang, window};
 
 /// A change requested by the tree or a button.
-enum Edit {
+enum SceneEdit {
     Hang {
         name: String,
         parent: Option<String>,
@@ -126,7 +125,7 @@ fn edit_a_copy(ui: &mut egui::Ui, model: &mut Model, t: &Texts) {
 }
 
 /// The selection, with its fields. Returns the request of its buttons.
-fn selected(ui: &mut egui::Ui, model: &mut Model, t: &Texts) -> Option<Edit> {
+fn selected(ui: &mut egui::Ui, model: &mut Model, t: &Texts) -> Option<SceneEdit> {
     let scene = &model.desk.shown.figure().scene;
     let mut form = SceneForm::new(model);
     let asked = match model.tree.selected(scene).cloned() {
@@ -267,9 +266,9 @@ pub(in crate::gui) fn remove(model: &mut Model, names: &BTreeSet<String>, childr
     model.say(Message::Deleted { name: name.clone(), others: others.saturating_sub(1), shear: !stayed });
 }
 
-fn perform(model: &mut Model, edit: Edit) {
+fn perform(model: &mut Model, edit: SceneEdit) {
     match edit {
-        Edit::Hang { name, parent } => {
+        SceneEdit::Hang { name, parent } => {
             let mut scene = model.desk.shown.figure().scene.clone();
             let stay = !model.tree.moves_with_parent;
             // A parent that can't take the object isn't offered.
@@ -282,8 +281,8 @@ fn perform(model: &mut Model, edit: Edit) {
                 model.tree.folded.remove(&parent);
             }
         }
-        Edit::Remove { names, children } => remove(model, &names, children),
-        Edit::AskRemove(names) => {
+        SceneEdit::Remove { names, children } => remove(model, &names, children),
+        SceneEdit::AskRemove(names) => {
             let below = below(&model.desk.shown.figure().scene, &names);
             if below == 0 {
                 remove(model, &names, Children::Removed);
@@ -291,7 +290,7 @@ fn perform(model: &mut Model, edit: Edit) {
                 model.request(Action::Delete { names, below });
             }
         }
-        Edit::RemoveLight(index) => {
+        SceneEdit::RemoveLight(index) => {
             model.desk.shown.edit(|figure| {
                 if index < figure.scene.lights.len() {
                     figure.scene.lights.remove(index);

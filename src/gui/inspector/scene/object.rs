@@ -1,17 +1,13 @@
 //! The fields of an object: name, kind, parent, transform, colour, segments, and the data of its shape.
 
-use std::collections::BTreeSet;
-
 use eframe::egui::{self, RichText};
 use glam::DVec3;
 
-use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, file_row, texture};
-use crate::appearance::Rgba;
+use super::{ROTATE, SCALE, SceneEdit, SceneForm, TRANSLATE, TransformPart, file_row, texture};
 use crate::explain::Matrix;
 use crate::gui::inspector::{VectorField, choice_row, complaint, row};
 use crate::gui::kit::{Explained, FieldError, KeptLine, NumberField, Step, help_topic, help_topic_row, whole};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MAX_TYPED_NAME, MIN_SEGMENTS};
-use crate::numbers::without_rests;
 use crate::sanitize::escaped;
 use crate::scene::edit::{self, Children, descendants, placement};
 use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData, transform};
@@ -22,7 +18,7 @@ use camera_lab_words::why::notes;
 use camera_lab_words::window::scenes::{self, Texts, preset_object};
 
 /// The fields of the object at this place of the list. Returns the request of its buttons.
-pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usize) -> Option<SceneEdit> {
     let t = form.t;
     let name = form.scene.objects[index].name.clone();
     let together = model.tree.names(&form.scene).len();
@@ -130,7 +126,7 @@ fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
 }
 
 /// The parent: any object but itself and its descendants.
-fn parent(ui: &mut egui::Ui, model: &mut Model, form: &SceneForm, index: usize) -> Option<Edit> {
+fn parent(ui: &mut egui::Ui, model: &mut Model, form: &SceneForm, index: usize) -> Option<SceneEdit> {
     let t = form.t;
     let object = &form.scene.objects[index];
     let below = descendants(&form.scene, &object.name);
@@ -162,7 +158,7 @@ fn parent(ui: &mut egui::Ui, model: &mut Model, form: &SceneForm, index: usize) 
     let mut stay = !model.tree.moves_with_parent;
     ui.checkbox(&mut stay, t.stay).explained(t.stay_hint);
     model.tree.moves_with_parent = !stay;
-    (chosen != object.parent).then(|| Edit::Hang { name: object.name.clone(), parent: chosen })
+    (chosen != object.parent).then(|| SceneEdit::Hang { name: object.name.clone(), parent: chosen })
 }
 
 fn transform_fields(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, transforming: &mut Transforming) {
@@ -226,7 +222,7 @@ fn color(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, index: usiz
         let picker = ui.color_edit_button_srgba_unmultiplied(&mut bytes).accessible_name(t.color);
         if picker.changed() {
             let [r, g, b, a] = bytes;
-            chosen = Some(Rgba::rgba(r, g, b, a));
+            chosen = Some(crate::appearance::Rgba::rgba(r, g, b, a));
         }
         typed
     });
@@ -361,10 +357,10 @@ fn duplicate(model: &mut Model, form: &mut SceneForm) {
 }
 
 /// The delete button, or a menu if the selection has children.
-fn delete(ui: &mut egui::Ui, form: &SceneForm, names: &BTreeSet<String>) -> Option<Edit> {
+fn delete(ui: &mut egui::Ui, form: &SceneForm, names: &std::collections::BTreeSet<String>) -> Option<SceneEdit> {
     let t = form.t;
     let below = transform::below(&form.scene, names);
-    let remove = |children| Some(Edit::Remove { names: names.clone(), children });
+    let remove = |children| Some(SceneEdit::Remove { names: names.clone(), children });
     if below == 0 {
         let button = ui.button(t.delete).explained(t.delete_hint);
         return button.clicked().then(|| remove(Children::Removed)).flatten();
@@ -391,7 +387,7 @@ fn matrix(ui: &mut egui::Ui, form: &SceneForm, name: &str) {
     let shown = egui::CollapsingHeader::new(t.matrix).default_open(false).show_unindented(ui, |ui| {
         egui::Grid::new("world matrix").num_columns(4).spacing([10.0, 1.0]).show(ui, |ui| {
             for row in matrix.transpose().to_cols_array_2d() {
-                for value in without_rests(&row, 5) {
+                for value in crate::numbers::without_rests(&row, 5) {
                     ui.monospace(form.window.lang.mark().number(value, 5));
                 }
                 ui.end_row();

@@ -8,7 +8,7 @@ use eframe::egui::{
     WidgetInfo, WidgetText, pos2, vec2,
 };
 
-use super::Edit;
+use super::SceneEdit;
 use crate::appearance::Rgba;
 use crate::gui::kit::{Explained, keep_in_sight};
 use crate::sanitize::escaped;
@@ -51,7 +51,7 @@ const FAR: f32 = 150.0;
 struct Dragged(String);
 
 /// Shows the tree, up to `height`, and returns the edits.
-pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, t: &'static Texts, height: f32) -> Vec<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, t: &'static Texts, height: f32) -> Vec<SceneEdit> {
     let mut edits = Vec::new();
     let scene = &model.desk.shown.figure().scene;
     let is_empty = scene.objects.is_empty() && scene.preset == Preset::Empty;
@@ -98,7 +98,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, t: &'static Texts, height
 }
 
 /// Clicks and keys on a row.
-fn clicks_and_keys(ui: &egui::Ui, model: &mut Model, row: &TreeRow, response: &Response, edits: &mut Vec<Edit>) {
+fn clicks_and_keys(ui: &egui::Ui, model: &mut Model, row: &TreeRow, response: &Response, edits: &mut Vec<SceneEdit>) {
     if response.clicked() {
         model.select(row.what.clone(), ui.input(|input| input.modifiers.command));
         response.request_focus();
@@ -135,9 +135,9 @@ fn clicks_and_keys(ui: &egui::Ui, model: &mut Model, row: &TreeRow, response: &R
                 if !names.contains(name) {
                     names = BTreeSet::from([name.clone()]);
                 }
-                edits.push(Edit::AskRemove(names));
+                edits.push(SceneEdit::AskRemove(names));
             }
-            Some(Selected::Light(index)) => edits.push(Edit::RemoveLight(*index)),
+            Some(Selected::Light(index)) => edits.push(SceneEdit::RemoveLight(*index)),
             Some(Selected::OfPreset(_)) | None => {}
         }
     }
@@ -150,7 +150,7 @@ fn dropped(
     response: &Response,
     scene: &SceneSpec,
     dragged: Option<&Dragged>,
-) -> Option<Edit> {
+) -> Option<SceneEdit> {
     let Dragged(name) = dragged?;
     let parent = match &row.what {
         None => None,
@@ -166,7 +166,7 @@ fn dropped(
     }
     let stroke = Stroke::new(1.5, ui.visuals().hyperlink_color);
     ui.painter().rect_stroke(response.rect, 2.0, stroke, StrokeKind::Inside);
-    response.dnd_release_payload::<Dragged>().map(|_| Edit::Hang { name: name.clone(), parent })
+    response.dnd_release_payload::<Dragged>().map(|_| SceneEdit::Hang { name: name.clone(), parent })
 }
 
 /// The name of the dragged object, beside the pointer.

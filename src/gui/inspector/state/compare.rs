@@ -1,7 +1,5 @@
 //! The comparison of the figure with itself in another way, with one of its cameras or with another file.
 
-use std::path::Path;
-
 use crate::figure::{Comparison, Figure};
 use camera_lab_desk::{Message, Model};
 use camera_lab_files::{FileError, Opened};
@@ -63,7 +61,7 @@ pub(in crate::gui) fn look(figure: &Figure) -> Comparison {
 }
 
 /// Compares with the figure in a file. Returns false if it can't be read.
-pub(in crate::gui) fn with_file(model: &mut Model, path: &Path, opened: Result<Opened, FileError>) -> bool {
+pub(in crate::gui) fn with_file(model: &mut Model, path: &std::path::Path, opened: Result<Opened, FileError>) -> bool {
     let other = match opened {
         Ok(opened) => opened.figure,
         Err(error) => {

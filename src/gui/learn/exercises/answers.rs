@@ -3,7 +3,6 @@
 use eframe::egui::{self, Align2, Key, Margin, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui, vec2};
 
 use super::{Sheet, check};
-use crate::clock;
 use crate::exercises::{self, Answer, Ask, Kind, Unit, read_answer};
 use crate::expression::{Dimension, evaluate_with};
 use crate::gui::kit::{Explained, TextField, complaint, mathematics, prose, text_field, theme};
@@ -124,7 +123,7 @@ fn say_guess(ui: &mut Ui, learn: &Learn, sheet: Sheet<'_>, ask: &Ask, guess: &[S
 fn take_guess(model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask) {
     let text = joined(ask, learn.exercises.fields(ask));
     let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &text) else { return };
-    learn.exercises.guess(ask, judged.right, clock::seconds_since_1970());
+    learn.exercises.guess(ask, judged.right, crate::clock::seconds_since_1970());
     let shows = learn.show_seen(model);
     if shows && !ask.places {
         let fields = vec![String::new(); learn.exercises.fields(ask).len()];

@@ -4,17 +4,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{ColorImage, Id, TextureHandle, TextureOptions, Ui};
 
-use crate::appearance::Theme;
 use crate::camera::{Camera, Parameters};
 use crate::exercises::{Ask, Exercise, Expected, Fact, Subject};
 use crate::figure::points::{free_name, may_be_named};
 use crate::figure::{Figure, NamedPoint};
-use crate::limits::MAX_NAMED_POINTS;
 use crate::picture::{Pixels, Renderer};
-use crate::progress::Progress;
-use crate::scene::no_files;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
-use camera_lab_desk::Memo;
 use camera_lab_words::{Lang, pictures};
 
 /// The size of the small picture, in pixels.
@@ -33,7 +28,7 @@ pub(super) fn with_camera(exercise: &Exercise, camera: Parameters) -> Figure {
     let mut figure = Figure { camera, ..exercise.subject.figure.clone() };
     for point in &exercise.subject.points {
         let is_shown = figure.points.iter().any(|named| named.position == *point);
-        if !is_shown && figure.points.len() < MAX_NAMED_POINTS {
+        if !is_shown && figure.points.len() < crate::limits::MAX_NAMED_POINTS {
             let name = name_of(exercise, point.to_array(), &figure.points);
             figure.points.push(NamedPoint { name, position: *point });
         }
@@ -57,10 +52,14 @@ pub(super) fn subject_of<'a>(exercise: &'a Exercise, ask: &'a Ask) -> &'a Subjec
 }
 
 /// The thumbnail drawn last.
-type Drawn = Memo<(Figure, Lang), Option<TextureHandle>>;
+type Drawn = camera_lab_desk::Memo<(Figure, Lang), Option<TextureHandle>>;
 
 /// The image of the figure by the camera to be found, drawn once.
-pub(super) fn target(ui: &Ui, mut figure: Figure, (theme, lang): (Theme, Lang)) -> Option<TextureHandle> {
+pub(super) fn target(
+    ui: &Ui,
+    mut figure: Figure,
+    (theme, lang): (crate::appearance::Theme, Lang),
+) -> Option<TextureHandle> {
     figure.style.theme = theme;
     let drawn = ui.data_mut(|data| {
         Arc::clone(data.get_temp_mut_or_default::<Arc<Mutex<Drawn>>>(Id::unique("picture to be matched")))
@@ -79,6 +78,7 @@ pub(super) fn target(ui: &Ui, mut figure: Figure, (theme, lang): (Theme, Lang)) 
 fn draw(figure: &Figure, lang: Lang) -> Option<Pixels> {
     let camera = Camera::new(&figure.camera).ok()?;
     // The scenes of exercises name no files.
-    let scene = SharedScene::new(scene_of(figure, &mut no_files, &Progress::default()).ok()?);
+    let scene =
+        SharedScene::new(scene_of(figure, &mut crate::scene::no_files, &crate::progress::Progress::default()).ok()?);
     Renderer::default().pixels(&Request::of(figure, View::Image, &camera, &scene, pictures::labels(lang), SIZE))
 }

@@ -6,8 +6,6 @@ use eframe::egui::{self, Button, Key, RichText, Role, TextStyle, Ui, WidgetInfo}
 use crate::exercises::{Entry, Stage};
 use crate::gui::kit::{Explained, TextField};
 use crate::gui::learn::exercises::state::{Chosen, Exercises};
-use crate::limits::MAX_TYPED_NAME;
-use crate::sanitize;
 use camera_lab_words::Lang;
 use camera_lab_words::learn::exercise_window::Texts;
 use camera_lab_words::learn::{exercise_messages, exercise_window as words, exercises as said};
@@ -15,7 +13,7 @@ use camera_lab_words::window::search::{folded, has_words};
 
 /// The search field. Enter opens the first exercise found.
 pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
-    let field = TextField::line(&mut state.wanted, MAX_TYPED_NAME);
+    let field = TextField::line(&mut state.wanted, crate::limits::MAX_TYPED_NAME);
     let field = field.with(|edit| edit.hint_text(t.search).desired_width(f32::INFINITY));
     let response = field.show(ui, t.lang).explained(t.search_hint).accessible_name(t.search);
     state.answer_call(&response);
@@ -52,7 +50,7 @@ pub(in crate::gui) fn open(state: &mut Exercises, entry: &Entry) {
 pub(super) fn ui(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
     let found: Vec<Entry> = found(t.lang, state).cloned().collect();
     let own = state.own.as_ref().map(|own| own.folder.file_name().unwrap_or(own.folder.as_os_str()));
-    let own = own.map(|name| sanitize::escaped(&name.to_string_lossy())).unwrap_or_default();
+    let own = own.map(|name| crate::sanitize::escaped(&name.to_string_lossy())).unwrap_or_default();
     let mut group = None;
     let mut chosen = None;
     ui.spacing_mut().item_spacing.y = 1.0;

@@ -10,11 +10,8 @@ pub mod state;
 mod statement;
 mod verdict;
 
-use std::sync::Arc;
-
 use eframe::egui::{self, Key, Modifiers, Ui};
 
-use crate::clock;
 use crate::exercises::{self, Ask, Entry, Exercise};
 use crate::gui::kit::{Explained, prose};
 use crate::gui::learn::Learn;
@@ -147,7 +144,11 @@ fn check(learn_state: &mut Learn, sheet: Sheet<'_>, ask: &Ask) {
         // Hints on another mistake.
         learn_state.exercises.opened.entry(ask.name.clone()).or_default().hints = 0;
     }
-    let done = Done::Judged(Arc::new(sheet.exercise.clone()), Box::new(judged.clone()), clock::seconds_since_1970());
+    let done = Done::Judged(
+        std::sync::Arc::new(sheet.exercise.clone()),
+        Box::new(judged.clone()),
+        crate::clock::seconds_since_1970(),
+    );
     learn_state.exercises.note(done);
     learn_state.exercises.took(ask, Checked { fields, judged });
     // A mistake elsewhere may follow from this one, or may do so no more. This one may also decide the numbers that the

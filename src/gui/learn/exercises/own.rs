@@ -6,7 +6,6 @@ use crate::gui::kit::{Explained, complaint};
 use crate::gui::learn::Learn;
 use crate::sanitize;
 use camera_lab_desk::{Action, FileFor, Model};
-use camera_lab_files::BadExercise;
 use camera_lab_words::learn::exercise_window::Texts;
 use camera_lab_words::messages;
 
@@ -27,7 +26,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut 
                 let text = format!("{}: {}", t.own_passed_over, found.faults.len());
                 let heading = CollapsingHeader::new(RichText::new(text).weak()).id_salt("files that are no exercises");
                 heading.show(ui, |ui| {
-                    for BadExercise { path, error, .. } in &found.faults {
+                    for camera_lab_files::BadExercise { path, error, .. } in &found.faults {
                         complaint(ui, &sanitize::printable(&messages::file(t.lang, &sanitize::path(path), error)));
                     }
                 });

@@ -5,7 +5,6 @@ use eframe::egui::{self, RichText, Ui};
 use crate::exercises::{Made, Mistake};
 use crate::gui::kit::{Explained, prose};
 use crate::gui::learn::Learn;
-use crate::sanitize;
 use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_words::learn::exercise_window::Texts;
 use camera_lab_words::learn::exercises as said;
@@ -18,7 +17,9 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &Lear
         match &learn.exercises.file {
             Some(file) => {
                 ui.label(RichText::new(t.progress_kept_in).weak());
-                ui.add(egui::Label::new(RichText::new(sanitize::path(file)).monospace()).wrap().selectable(true));
+                ui.add(
+                    egui::Label::new(RichText::new(crate::sanitize::path(file)).monospace()).wrap().selectable(true),
+                );
             }
             None => drop(ui.label(RichText::new(t.progress_not_kept).weak())),
         }

@@ -1,7 +1,5 @@
 //! The way to an answer, step by step, and the camera that a wrong answer describes.
 
-use std::sync::Arc;
-
 use eframe::egui::{Button, Id, Key, Rect, Response, Ui, UiBuilder};
 use glam::{DMat4, DVec3};
 
@@ -14,9 +12,7 @@ use crate::gui::kit::{Both, Explained, Links, TextField, chain, complaint, prose
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Described, NotCamera};
 use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};
-use crate::limits::MAX_ANSWER;
 use camera_lab_desk::Model;
-use camera_lab_words::Lang;
 use camera_lab_words::learn::{exercise_window as words, exercises as said};
 use camera_lab_words::why::dialects;
 
@@ -171,7 +167,7 @@ fn with_axis(right: &Camera, of: BasisAxis, axis: DVec3) -> Result<Parameters, N
 }
 
 /// The reason why an answer describes no camera.
-fn not_camera(lang: Lang, why: &NotCamera) -> String {
+fn not_camera(lang: camera_lab_words::Lang, why: &NotCamera) -> String {
     match why {
         NotCamera::Matrix(error) => dialects::recovery_error(lang, error),
         NotCamera::Length(length) => words::axis_length(lang, *length),
@@ -187,7 +183,7 @@ pub(super) fn steps(ui: &mut Ui, model: &Model, learn: &mut Learn, sheet: Sheet<
         complaint(ui, &format!("{}: {}", t.no_camera, not_camera(t.lang, error)));
     }
     let opened = learn.exercises.opened.get(&ask.name)?.clone();
-    let way: Option<Arc<[Worked]>> = opened.way.clone();
+    let way: Option<std::sync::Arc<[Worked]>> = opened.way.clone();
     let mut last = None;
     for (k, step) in way.iter().flat_map(|way| way.iter()).take(opened.steps).enumerate() {
         let shown = ui.push_id(("step", k), |ui| {
@@ -210,7 +206,8 @@ fn to_do(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, (k, step):
     ui.horizontal_wrapped(|ui| {
         ui.label(t.your_step);
         let text = opened.typed.entry(k).or_default();
-        let field = TextField::line(text, MAX_ANSWER).with(|edit| edit.id_salt("step to do").desired_width(110.0));
+        let field = TextField::line(text, crate::limits::MAX_ANSWER)
+            .with(|edit| edit.id_salt("step to do").desired_width(110.0));
         let response = field.show(ui, t.lang).explained(t.your_step_hint);
         let response = response.accessible_name(words::of_ask(t.your_step, &name));
         let enters = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));

@@ -7,10 +7,8 @@ use std::sync::Arc;
 use eframe::egui;
 
 use crate::camera::{Camera, RecoveryError};
-use crate::clock;
 use crate::exercises::{self, Answer, Ask, Entry, Exercise, Free, Guess, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
-use crate::lessons::in_order_of_lessons;
 use camera_lab_desk::{Mark, Placing};
 use camera_lab_files::{self as files, FileError, OwnExercises};
 
@@ -466,7 +464,7 @@ impl Exercises {
     /// The next exercise to practise, and the reason. Never the current one. `now` is in seconds since the beginning of
     /// 1970.
     pub fn next(&self, now: u64) -> Option<(Chosen, Why)> {
-        let all = in_order_of_lessons(self.entries());
+        let all = crate::lessons::in_order_of_lessons(self.entries());
         let next = self.next_of(&all, now).filter(|(chosen, _)| self.open.as_ref() != Some(chosen));
         next.or_else(|| {
             let is_open = |entry: &Entry| self.open.as_ref().is_some_and(|open| open.id == entry.id);
@@ -476,7 +474,7 @@ impl Exercises {
 
     /// Goes on with the next exercise to practise. Returns false if there is none.
     pub(in crate::gui) fn practise(&mut self) -> bool {
-        let Some((next, why)) = self.next(clock::seconds_since_1970()) else { return false };
+        let Some((next, why)) = self.next(crate::clock::seconds_since_1970()) else { return false };
         self.work_on(next.clone());
         self.why = Some((next, why));
         true

@@ -6,7 +6,6 @@ use super::{Sheet, figure};
 use crate::gui::kit::{Explained, TextField, complaint, prose};
 use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{Way, lesson_of};
-use crate::limits::MAX_EXPRESSION;
 use camera_lab_desk::Model;
 use camera_lab_words::learn::{exercise_messages as messages, exercises as said};
 
@@ -72,7 +71,7 @@ fn free(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>) {
         for (name, value) in &exercise.free {
             ui.label(*name);
             let text = typed.free.entry((*name).to_owned()).or_default();
-            let field = TextField::line(text, MAX_EXPRESSION.0).refused_beyond().with(|edit| {
+            let field = TextField::line(text, crate::limits::MAX_EXPRESSION.0).refused_beyond().with(|edit| {
                 let edit = edit.hint_text(said::number(t.lang.mark(), *value)).desired_width(56.0);
                 edit.align(Align2::LEFT_CENTER).id_salt(("free", *name))
             });

@@ -1,10 +1,8 @@
 //! The choices for printing.
 
-use crate::exercises::Exercise;
 use crate::gui::learn::Learn;
 use crate::lessons::{OpenLesson, shipped};
 use camera_lab_desk::{Content, Job};
-use camera_lab_words::Lang;
 use camera_lab_words::handout::HandoutOptions;
 
 /// The greatest number for choosing the numbers of the exercises.
@@ -27,7 +25,7 @@ pub struct HandoutForm {
 
 impl HandoutForm {
     /// The lesson being played, or the first one, or else exercises, beginning with the open one.
-    pub(in crate::gui) fn of(learn: &Learn, lang: Lang, is_lesson: bool) -> Self {
+    pub(in crate::gui) fn of(learn: &Learn, lang: camera_lab_words::Lang, is_lesson: bool) -> Self {
         let open = learn.exercises.open.as_ref();
         let open = open.filter(|open| learn.exercises.entries().any(|entry| entry.id == open.id));
         let options = HandoutOptions { lang, columns: 1, answers: false, plan: false, late: true };
@@ -51,7 +49,7 @@ impl HandoutForm {
             Some(open) => Content::Lesson(open.clone()),
             None => {
                 let of = |id: &String| Some(learn.exercises.entry(id)?.exercise(self.seed.into(), &Default::default()));
-                Content::Exercises(self.exercises.iter().filter_map(of).collect::<Vec<Exercise>>())
+                Content::Exercises(self.exercises.iter().filter_map(of).collect::<Vec<crate::exercises::Exercise>>())
             }
         };
         Job { content, options: self.options }

@@ -1,13 +1,9 @@
 //! Handouts produced beside the window's thread: their pages for the preview, and the file.
 
-use std::time::Duration;
-
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
-use crate::clock;
 use crate::export::vector::{Page, pixels};
 use crate::gui::kit::frames;
-use crate::lessons::OpenLesson;
 use crate::picture::PictureError;
 use crate::progress::Progress;
 use camera_lab_desk::{ExportError, Job, Worker};
@@ -29,7 +25,7 @@ struct PageJob {
 type Done = Result<(ColorImage, usize), ExportError>;
 
 /// The choices that the pages depend on.
-pub(in crate::gui) type Choices = (Option<OpenLesson>, Vec<String>, u32, HandoutOptions);
+pub(in crate::gui) type Choices = (Option<crate::lessons::OpenLesson>, Vec<String>, u32, HandoutOptions);
 
 /// The pages of a handout as long as its dialog is open.
 pub struct PagesPreview {
@@ -51,7 +47,7 @@ impl std::fmt::Debug for PagesPreview {
 
 impl Default for PagesPreview {
     fn default() -> Self {
-        let worker = Worker::new("handout", clock::now, work);
+        let worker = Worker::new("handout", crate::clock::now, work);
         Self { worker, asked: None, texture: None, count: 0, fault: None }
     }
 }
@@ -83,7 +79,7 @@ impl PagesPreview {
         (page, width): (usize, f32),
         job: impl FnOnce() -> Job,
     ) {
-        let [done] = self.worker.take(Duration::ZERO);
+        let [done] = self.worker.take(std::time::Duration::ZERO);
         match done.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {
             Some(Ok((image, count))) => {
                 (self.count, self.fault) = (count, None);

@@ -3,7 +3,6 @@
 
 use eframe::egui::{Button, Id, RichText, Ui};
 
-use super::task_fields;
 use super::writing::{FIELDS_OF_STEP, Fields, Writing};
 use crate::gui::kit::{Explained, TextField, number_field};
 use crate::gui::learn::Learn;
@@ -88,7 +87,7 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Lear
     let is_left = if writing.shows == Fields::Task {
         let report = figure.as_ref().and_then(|figure| crate::lessons::numbers_of(figure).ok());
         let subject = figure.as_deref().zip(report.as_ref());
-        task_fields::show(ui, &mut writing.typed.task, (lang, writing.lang), subject)
+        super::task_fields::show(ui, &mut writing.typed.task, (lang, writing.lang), subject)
     } else {
         words(ui, t, writing)
     };

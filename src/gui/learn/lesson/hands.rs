@@ -1,14 +1,11 @@
 //! A question to the class. Keys or clicks count hands, and the bars come with the answer.
 
-use std::collections::BTreeMap;
-
 use eframe::egui::{self, Align, Context, Key, Layout, Modifiers, RichText, Sense, Ui, vec2};
 
 use crate::exercises::{Ask, Exercise, Expected, ExpectedAnswer, Kind};
 use crate::gui::kit::{Explained, prose, theme};
 use crate::gui::learn::Learn;
 use crate::lessons::{Step, Task};
-use camera_lab_desk::Model;
 use camera_lab_words::learn::exercises as said;
 use camera_lab_words::learn::lessons::Texts;
 use camera_lab_words::{Lang, told};
@@ -21,7 +18,7 @@ const BAR: f32 = 10.0;
 /// The hands raised in a lesson, by step, and for each choice.
 #[derive(Debug, Default)]
 pub(in crate::gui) struct Hands {
-    raised: BTreeMap<usize, Vec<u32>>,
+    raised: std::collections::BTreeMap<usize, Vec<u32>>,
     /// The step whose answer is shown.
     pub(super) answered: Option<usize>,
 }
@@ -54,7 +51,7 @@ pub(super) fn question_with_choices(step: &Step) -> Option<(Exercise, usize)> {
 }
 
 /// Counts hands by keys: a letter raises one for its choice, Shift and the letter lower one.
-pub(super) fn count(ctx: &Context, model: &Model, learn: &mut Learn, is_asking: bool) {
+pub(super) fn count(ctx: &Context, model: &camera_lab_desk::Model, learn: &mut Learn, is_asking: bool) {
     let listens = model.settings.presentation && !ctx.text_edit_focused() && !is_asking;
     let Some(playing) = learn.lesson.as_mut().filter(|playing| listens && playing.shows_question) else { return };
     let Some((_, choices)) = playing.now().and_then(question_with_choices) else { return };

@@ -12,9 +12,6 @@ mod task;
 mod task_fields;
 pub(in crate::gui) mod writing;
 
-use std::sync::Arc;
-use std::time::Duration;
-
 use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
 pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
 pub(in crate::gui) use speaker::window as speaker_window;
@@ -170,7 +167,7 @@ fn typed_step(ctx: &egui::Context, model: &mut Model, learn: &mut Learn, is_aski
             learn.go_to_step(model, step);
         }
     } else {
-        ctx.request_repaint_after(Duration::from_secs_f64(TYPED - (now - since)));
+        ctx.request_repaint_after(std::time::Duration::from_secs_f64(TYPED - (now - since)));
     }
 }
 
@@ -358,7 +355,7 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
 }
 
 /// The built-in lesson after another one.
-fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
+fn after(lesson: &Lesson) -> Option<std::sync::Arc<Lesson>> {
     let all = lessons::shipped();
     let place = all.iter().position(|shipped| shipped.lesson.id == lesson.id)?;
     all.get(place + 1).map(|shipped| shipped.lesson.clone())

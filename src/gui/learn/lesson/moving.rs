@@ -4,14 +4,13 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Parameters};
 use crate::gui::learn::Learn;
-use crate::lessons::Passage;
 use crate::numbers::round_to;
 use camera_lab_desk::{Document, FADE, Model};
 
 /// A move from one step to another.
 #[derive(Debug)]
 pub(crate) struct Moving {
-    pub(super) passage: Passage,
+    pub(super) passage: crate::lessons::Passage,
     /// The step's document in its final state.
     pub(super) target: Box<Document>,
     pub(super) seconds: f64,

@@ -2,7 +2,6 @@
 
 use eframe::egui::Ui;
 
-use crate::camera::ParameterKey;
 use crate::figure::{Figure, Localized};
 use crate::gui::kit::Explained;
 use crate::inspect::Report;
@@ -14,8 +13,10 @@ use camera_lab_words::learn::lessons::filled_from;
 pub(super) fn quantity_menu(ui: &mut Ui, t: &Texts, (figure, report): (&Figure, &Report)) -> Option<String> {
     let mut chosen = None;
     let button = ui.menu_button(format!("{} ▾", t.quantity), |ui| {
-        let camera =
-            ParameterKey::ALL.map(Quantity::Camera).into_iter().chain([Quantity::Distance, Quantity::Direction]);
+        let camera = crate::camera::ParameterKey::ALL
+            .map(Quantity::Camera)
+            .into_iter()
+            .chain([Quantity::Distance, Quantity::Direction]);
         let window = WindowNumber::ALL.iter().copied().map(Quantity::Window);
         let axes = BasisAxis::ALL.iter().copied().map(Quantity::Axis);
         let matrices = ReportMatrix::ALL.iter().copied().map(Quantity::Matrix);

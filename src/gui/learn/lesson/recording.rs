@@ -1,13 +1,10 @@
 //! Lessons of the user's own: their steps as they are recorded, and those of a folder.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use crate::figure::{Figure, Localized, Screen};
 use crate::gui::learn::Learn;
 use crate::lessons::{Draft, Lesson, with_step};
-use crate::scene::Wanted;
-use crate::views::View;
 use camera_lab_desk::{Message, Model, Side};
 use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Overwrite};
 use camera_lab_words::learn::lessons as words;
@@ -84,7 +81,7 @@ impl Learn {
         model.say(Message::StepAdded(path.to_owned(), lesson.steps.len(), left_out));
         if let Some(playing) = self.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
             // The steps before it have their places.
-            playing.lesson = Arc::new(lesson);
+            playing.lesson = std::sync::Arc::new(lesson);
         }
     }
 }
@@ -114,7 +111,7 @@ pub(in crate::gui) fn for_lesson(model: &mut Model, lesson: &Path) -> (Figure, O
     let (figure, _) = files::for_folder(&as_shown(model), model.desk.shown.folder(), lesson.parent());
     let folder = lesson.parent().unwrap_or(Path::new(""));
     let mut reads = FigureFiles::new(folder, FileAccess::Lesson);
-    let is_lost = |name: &&str| reads.read(Wanted { path: name, named_by: None }).is_err();
+    let is_lost = |name: &&str| reads.read(crate::scene::Wanted { path: name, named_by: None }).is_err();
     let left_out: Vec<String> = files::own_files(&figure).into_keys().filter(is_lost).map(str::to_owned).collect();
     (figure, (!left_out.is_empty()).then_some(LeftOut(left_out)))
 }
@@ -124,7 +121,7 @@ pub(in crate::gui) fn for_lesson(model: &mut Model, lesson: &Path) -> (Figure, O
 pub(in crate::gui) fn as_shown(model: &mut Model) -> Figure {
     let seen = model.as_seen();
     let panel = model.settings.panels().is_shown(Side::Explain).then(|| model.explained.shown());
-    let pictures = View::ALL.map(|view| model.layout.is_shown(view));
+    let pictures = crate::views::View::ALL.map(|view| model.layout.is_shown(view));
     let figure = model.desk.shown.figure();
     let screen = Screen {
         pictures: Some(pictures),

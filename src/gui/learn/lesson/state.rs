@@ -1,13 +1,11 @@
 //! The lesson being played: its step, the move to it, and finished tasks.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::hands::{Hands, question_with_choices};
 use super::moving::Moving;
 use crate::camera::{Camera, Operation};
-use crate::exercises::Ask;
 use crate::figure::{Figure, Observers, Show};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
@@ -15,7 +13,6 @@ use crate::gui::learn::lesson::writing::Writing;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
 use camera_lab_desk::{Document, Message, Model, Panels, Revision};
 use camera_lab_files as files;
-use camera_lab_files::share;
 
 /// Seconds of the move to the figure that answers a question.
 const SEEN: f64 = 2.0;
@@ -26,7 +23,7 @@ pub struct Playing {
     /// The lesson.
     pub lesson: Arc<Lesson>,
     /// Its file. `None` for a built-in lesson.
-    pub path: Option<PathBuf>,
+    pub path: Option<std::path::PathBuf>,
     /// The step, from 0.
     pub step: usize,
     /// The move to the step, while it continues.
@@ -201,7 +198,8 @@ impl Learn {
             self.exercises.ask_again(lesson.steps.iter().filter_map(question));
         }
         // A session of another folder has to find the file too.
-        let path = path.map(|path| if share::link_of(&path).is_some() { path } else { files::whole(&path) });
+        let path =
+            path.map(|path| if camera_lab_files::share::link_of(&path).is_some() { path } else { files::whole(&path) });
         let playing = Playing {
             lesson,
             path,
@@ -389,7 +387,8 @@ impl Learn {
         let Some(Task::Question(entry)) = step.and_then(|step| step.task.as_ref()) else { return false };
         let right = self.exercises.right();
         let asks = entry.exercise(0, &Default::default()).asks;
-        let waits = |ask: &Ask| self.exercises.guess_at(ask).is_some() && !right.contains(ask.name.as_str());
+        let waits =
+            |ask: &crate::exercises::Ask| self.exercises.guess_at(ask).is_some() && !right.contains(ask.name.as_str());
         asks.iter().any(|ask| !ask.places && waits(ask))
     }
 

@@ -2,13 +2,11 @@
 
 use eframe::egui::{RichText, Ui};
 
-use super::hands;
 use crate::figure::{Explanation, Localized};
 use crate::gui::kit::{Explained, prose, theme};
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, exercises};
 use crate::lessons::{Step, Task};
-use camera_lab_desk::Model;
 use camera_lab_words::learn::exercises::title;
 use camera_lab_words::learn::lessons::Texts;
 
@@ -16,7 +14,7 @@ use camera_lab_words::learn::lessons::Texts;
 pub(super) fn show(
     ui: &mut Ui,
     t: &Texts,
-    model: &mut Model,
+    model: &mut camera_lab_desk::Model,
     learn: &mut Learn,
     step: &Step,
     text: &dyn Fn(&Localized) -> String,
@@ -30,7 +28,7 @@ pub(super) fn show(
     }
     ui.add_space(4.0);
     match task {
-        Task::Question(_) if model.settings.presentation && hands::show(ui, t, learn, step) => {}
+        Task::Question(_) if model.settings.presentation && super::hands::show(ui, t, learn, step) => {}
         Task::Question(entry) => {
             let chosen = Chosen { id: entry.id.clone().into_owned(), seed: 0 };
             // Another exercise may have been opened meanwhile.

@@ -30,7 +30,7 @@ pub(super) fn show(
     subject: Option<(&Figure, &Report)>,
 ) -> bool {
     let t = texts(shown);
-    let mut fields = Fields { t, lang, subject, is_left: false };
+    let mut fields = TaskFields { t, lang, subject, is_left: false };
     fields.is_left |= kinds(ui, t, task);
     match task.kind {
         TaskKind::None => {}
@@ -77,14 +77,14 @@ fn kinds(ui: &mut Ui, t: &Texts, task: &mut TaskText) -> bool {
 }
 
 /// The fields, all in one language, for a step with this figure and its numbers.
-struct Fields<'a> {
+struct TaskFields<'a> {
     t: &'static Texts,
     lang: Lang,
     subject: Option<(&'a Figure, &'a Report)>,
     is_left: bool,
 }
 
-impl Fields<'_> {
+impl TaskFields<'_> {
     /// A text over the whole width.
     fn text(&mut self, ui: &mut Ui, name: &str, text: &mut Localized) {
         let label = ui.label(name);

@@ -1,7 +1,6 @@
 //! A lesson of the user's own, written in the window: its texts and those of its step as typed, the changes of its
 //! file, and undo.
 
-use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -12,7 +11,6 @@ use crate::lessons::{
     Edit, Lesson, LessonText, OpenLesson, StepText, Task, TaskText, Words, edited, reworded, text_of_step, with_step,
     words_in_file,
 };
-use crate::numbers::significant;
 use camera_lab_desk::{Message, Model, UnsavedText};
 use camera_lab_files::{self as files, FileError, Overwrite, share};
 use camera_lab_words::Lang;
@@ -96,7 +94,8 @@ impl Writing {
         if number >= lesson.steps.len() {
             return;
         }
-        let minutes = lesson.minutes.map(|minutes| significant(minutes, MINUTES_DIGITS)).unwrap_or_default();
+        let minutes =
+            lesson.minutes.map(|minutes| crate::numbers::significant(minutes, MINUTES_DIGITS)).unwrap_or_default();
         let [title, text, notes, of_lesson, sentence] = words_in_file(&self.text, number);
         let minutes = Localized { en: minutes, ..Localized::default() };
         let texts = [title, text, notes, of_lesson, sentence, minutes];
@@ -435,7 +434,7 @@ impl Learn {
         match files::read_lesson(path) {
             Ok((_, now)) if now == writing.text => {}
             // A disk that answers late says nothing about the file.
-            Err(FileError::Read(error)) if error.kind() == ErrorKind::TimedOut => {
+            Err(FileError::Read(error)) if error.kind() == std::io::ErrorKind::TimedOut => {
                 model.say(Message::File(path.to_owned(), FileError::Read(error)));
                 return false;
             }

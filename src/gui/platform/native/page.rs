@@ -10,7 +10,6 @@ use wasm_bindgen::closure::Closure;
 use web_sys::{Event, File, HtmlInputElement};
 
 use super::{FileAnswer, FileQuestion};
-use crate::limits::MAX_FILE_BYTES;
 use camera_lab_files::disk::page;
 
 /// Reads a file, gives it to the page, and returns its path there. A file that is unreadable, or larger than any, isn't
@@ -20,7 +19,7 @@ pub(in crate::gui) fn read(ctx: &egui::Context, file: File, then: impl FnOnce(Pa
     wasm_bindgen_futures::spawn_local(async move {
         let path = PathBuf::from(file.name());
         #[expect(clippy::cast_precision_loss, reason = "a power of two")]
-        let is_too_large = file.size() > MAX_FILE_BYTES as f64;
+        let is_too_large = file.size() > crate::limits::MAX_FILE_BYTES as f64;
         if !is_too_large && let Ok(bytes) = wasm_bindgen_futures::JsFuture::from(file.array_buffer()).await {
             page::give(path.clone(), js_sys::Uint8Array::new(&bytes).to_vec());
         }

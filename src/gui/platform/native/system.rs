@@ -2,22 +2,19 @@
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::pin::Pin;
 use std::time::Duration;
 
 use eframe::egui;
 
 use super::{FileAnswer, FileQuestion, Wanted};
-use crate::clock;
 use crate::gui::kit::frames;
-use crate::progress::Progress;
 use camera_lab_desk::{Done, Worker};
 
 /// A user can't read and close a dialog this fast, so there was none.
 const IMPOSSIBLE: Duration = Duration::from_millis(100);
 
 /// The choice in a dialog, once it has been closed.
-type Chosen = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
+type Chosen = std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
 
 /// An open dialog. Each has a thread of its own, so that one that never answers doesn't keep the next from opening.
 #[derive(Debug)]
@@ -42,8 +39,10 @@ impl OpenFileDialog {
             Wanted::NewFile => Box::pin(dialog.save_file()),
             Wanted::Folder => Box::pin(dialog.pick_folder()),
         };
-        let mut worker = Worker::new("dialog", clock::now, || {
-            async |chosen: Chosen, _: &Progress| pollster::block_on(chosen).map(|file| file.path().to_owned())
+        let mut worker = Worker::new("dialog", crate::clock::now, || {
+            async |chosen: Chosen, _: &crate::progress::Progress| {
+                pollster::block_on(chosen).map(|file| file.path().to_owned())
+            }
         });
         worker.ask(&frames(ctx), 0, chosen);
         Self { worker }

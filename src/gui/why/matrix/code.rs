@@ -2,7 +2,6 @@
 
 use eframe::egui::{self, FontId, TextStyle};
 
-use crate::explain::Setting;
 use crate::explain::code::CodeTarget;
 use crate::gui::kit::{Explained, TextField, choice};
 use crate::gui::why::state::explain::Explain;
@@ -38,6 +37,6 @@ fn written(model: &Model, explain: &Explain) -> String {
     if let Some(limitation) = target.limitation(camera) {
         return dialects::limitation(model.settings.lang, limitation);
     }
-    let setting = Setting::new(camera.notes_clip_space(), figure.image, figure.viewport);
+    let setting = crate::explain::Setting::new(camera.notes_clip_space(), figure.image, figure.viewport);
     target.code(&setting, &code::comments(model.settings.lang, target, &target.conventions(camera)))
 }

@@ -5,11 +5,10 @@ use eframe::egui;
 use crate::camera::{Api, Ndc};
 use crate::gui::kit::{Explained, choice_row, complaint};
 use crate::gui::why::state::explain::Explain;
-use camera_lab_desk::Model;
 use camera_lab_words::why::conventions::{self, Texts, finite_instead};
 
 /// Shows the choices. Below them come the numbers that depend on them.
-pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, _explain: &mut Explain) {
+pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut camera_lab_desk::Model, _explain: &mut Explain) {
     let t = conventions::texts(model.settings.lang);
     let camera = model.desk.shown.camera();
     let shown = &mut model.settings.conventions;

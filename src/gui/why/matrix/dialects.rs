@@ -6,7 +6,6 @@ use super::pasted_matrix::{self, note_on_matrix, take};
 use crate::camera::{Camera, Parameters, Projection};
 use crate::explain::vocabulary::{Argument, CameraNumber, Limitation, Line, Vocabulary};
 use crate::explain::{Axis, Component, Symbol};
-use crate::figure::Measured;
 use crate::gui::kit::{
     Explained, FieldOutput, NumberField, Step, complaint, has_focus, help_topic, help_topic_row, section, theme,
 };
@@ -187,7 +186,7 @@ fn light(model: &mut Model, quantity: CameraNumber) {
         CameraNumber::PrincipalPoint(_) => &[Symbol::Bottom, Symbol::Top],
         CameraNumber::Translation(c) => {
             // u · C, v · C and n · C, but for their signs.
-            model.frame.hover.measured.push(Measured::OriginAlong(c.index()));
+            model.frame.hover.measured.push(crate::figure::Measured::OriginAlong(c.index()));
             &[]
         }
         CameraNumber::Direction(_) | CameraNumber::Fixed => &[],

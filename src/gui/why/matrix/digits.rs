@@ -1,7 +1,6 @@
 //! Numbers in which recently changed digits glow.
 
 use std::fmt::Debug;
-use std::hash::Hash;
 
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{Color32, FontId, Id, TextFormat, Ui};
@@ -14,13 +13,13 @@ const FRAME: f32 = 0.1;
 
 /// A text as last shown, and the times when its characters changed.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Shown {
+struct ShownDigits {
     text: String,
     changed: Vec<bool>,
     since: f64,
 }
 
-impl Shown {
+impl ShownDigits {
     /// Sets the present text. Differences from the last one begin to glow.
     fn follow(self, text: &str, now: f64) -> Self {
         if self.text == text {
@@ -95,16 +94,16 @@ fn strength(now: f64, since: f64) -> f64 {
 pub(in crate::gui::why) fn push(
     ui: &Ui,
     job: &mut LayoutJob,
-    key: impl Hash + Debug,
+    key: impl std::hash::Hash + Debug,
     text: &str,
     font: &FontId,
     color: Color32,
 ) {
     let id = Id::unique("digits").with(key);
     let now = ui.input(|input| input.time);
-    let before = ui.data(|data| data.get_temp::<Shown>(id));
+    let before = ui.data(|data| data.get_temp::<ShownDigits>(id));
     // A text shown for the first time hasn't changed.
-    let first = || Shown { text: text.to_owned(), changed: Vec::new(), since: f64::NEG_INFINITY };
+    let first = || ShownDigits { text: text.to_owned(), changed: Vec::new(), since: f64::NEG_INFINITY };
     let shown = before.map_or_else(first, |shown| shown.follow(text, now));
     let strength = strength(now, shown.since);
     let glows = |i: usize| strength > 0.0 && shown.changed.get(i).is_some_and(|changed| *changed);
@@ -155,7 +154,7 @@ mod tests {
 
     #[test]
     fn a_change_glows_for_a_second_and_equal_entries_do_not() {
-        let shown = Shown { text: "1.5".to_owned(), changed: Vec::new(), since: f64::NEG_INFINITY };
+        let shown = ShownDigits { text: "1.5".to_owned(), changed: Vec::new(), since: f64::NEG_INFINITY };
         assert_eq!(strength(5.0, shown.since), 0.0);
         let same = shown.clone().follow("1.5", 5.0);
         assert_eq!(same, shown);

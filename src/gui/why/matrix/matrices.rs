@@ -1,7 +1,5 @@
 //! The explanation of matrices: each entry of each matrix with its formula, its numbers and its value.
 
-use std::time::Duration;
-
 use eframe::egui::{self, RichText, Ui};
 
 use super::entries::{self, Cell};
@@ -11,11 +9,9 @@ use crate::gui::kit::{Both, Explained, erratum, help_topic, prose, theme};
 use crate::gui::why::ExplainedSetting;
 use crate::gui::why::answer::{self, Writing};
 use crate::gui::why::state::explain::Explain;
-use crate::numbers::without_rests;
 use camera_lab_desk::{Matrices, Model, Reading};
 use camera_lab_words::why::explain::Texts;
 use camera_lab_words::why::{conventions, entry_reasons, explain as words, notes};
-use camera_lab_words::window;
 
 /// Shows the tab.
 pub(in crate::gui::why) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Explain) {
@@ -54,7 +50,11 @@ pub(in crate::gui::why) fn ui(ui: &mut Ui, model: &mut Model, _explain: &mut Exp
         model.explained.matrices.entry = chosen;
     }
     if model.explained.matrices.glow.is_seen(now) {
-        ui.ctx().request_repaint_after(Duration::from_millis(if model.settings.reduce_motion { 250 } else { 40 }));
+        ui.ctx().request_repaint_after(std::time::Duration::from_millis(if model.settings.reduce_motion {
+            250
+        } else {
+            40
+        }));
     }
     copy(ui, t, matrix, &cells);
     ui.separator();
@@ -147,7 +147,7 @@ fn matrix_symbol(ui: &Ui, matrix: Matrix) -> egui::text::LayoutJob {
 /// The matrix, the equation in force and its place, and the errata of the notes.
 fn heading(ui: &mut Ui, model: &Model, setting: &Setting<'_>, formulas: &MatrixFormula) {
     let lang = model.settings.lang;
-    let (t, ndc) = (window::texts(lang), setting.space().ndc());
+    let (t, ndc) = (camera_lab_words::window::texts(lang), setting.space().ndc());
     ui.horizontal_wrapped(|ui| {
         ui.label(words::matrix(lang, formulas.matrix));
         let place = format!("[0] {} {}", formulas.section, formulas.equation);
@@ -175,7 +175,7 @@ fn values(setting: &Setting<'_>, matrix: Matrix, digits: usize) -> [[f64; 4]; 4]
         return rows;
     }
     rows.map(|row| {
-        let clean = without_rests(&row, digits);
+        let clean = crate::numbers::without_rests(&row, digits);
         std::array::from_fn(|j| clean[j])
     })
 }

@@ -10,7 +10,6 @@ use crate::explain::vocabulary::Vocabulary;
 use crate::gui::kit::{Explained, NumberField, Step, TextField, choice_row, complaint, help_topic, row, theme, whole};
 use crate::gui::why::state::explain::Explain;
 use crate::limits::{MAX_ANSWER, MAX_SIDE};
-use crate::sanitize;
 use camera_lab_desk::Model;
 use camera_lab_words::why::conventions;
 use camera_lab_words::why::dialects::{self, Texts};
@@ -94,7 +93,7 @@ fn which_camera(ui: &mut egui::Ui, explain: &mut Explain, t: &Texts, names: &[St
     if names.is_empty() {
         return;
     }
-    let names: Vec<_> = names.iter().map(|name| sanitize::escaped(name).to_string()).collect();
+    let names: Vec<_> = names.iter().map(|name| crate::sanitize::escaped(name).to_string()).collect();
     let options: Vec<(usize, &str)> = names.iter().map(String::as_str).enumerate().collect();
     choice_row(ui, t.camera, t.camera_hint, chosen, &options);
 }

@@ -6,9 +6,6 @@ use super::triangle::TriangleNumbers;
 use crate::camera::{Axes, CameraError, ImageSize, MatrixKind, Ndc, Parameters};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
-use crate::figure::Explanation;
-use crate::numerics::Resolution;
-use crate::views::SharedScene;
 use camera_lab_desk::{Memo, Model};
 
 /// The explanations. Their visibility is in [`Panels`](camera_lab_desk::layout::Panels).
@@ -23,7 +20,7 @@ pub struct Explain {
     /// The gap between two surfaces, in scene units, for the test if they can be told apart.
     pub gap: f64,
     /// The resolutions of the formats of depth buffers, by the camera, its NDC, a depth and a gap.
-    pub(in crate::gui) resolutions: Memo<(Parameters, Ndc, [f64; 2]), Vec<Resolution>>,
+    pub(in crate::gui) resolutions: Memo<(Parameters, Ndc, [f64; 2]), Vec<crate::numerics::Resolution>>,
     /// The numbers of the triangle followed step by step.
     pub triangle: TriangleNumbers,
     /// The target of the code.
@@ -33,7 +30,7 @@ pub struct Explain {
     /// A pasted matrix.
     pub pasted: Pasted,
     /// True if dividing before clipping does no harm to a scene.
-    pub(in crate::gui) divides_right: Memo<(SharedScene, Parameters), bool>,
+    pub(in crate::gui) divides_right: Memo<(crate::views::SharedScene, Parameters), bool>,
 }
 
 /// A matrix as text, and the way to read it.
@@ -74,6 +71,6 @@ impl Explain {
     /// Shows a note, which takes the keyboard in the list of notes.
     pub(in crate::gui) fn explain_by_note(&mut self, model: &mut Model, id: &'static str) {
         self.notes.go_to(id);
-        model.show_explanation(Explanation::Notes);
+        model.show_explanation(crate::figure::Explanation::Notes);
     }
 }

@@ -22,7 +22,6 @@ use writer::Writer;
 use crate::document::{Document, Seen};
 use crate::figure::Localized;
 use crate::history::Revision;
-use crate::lessons::TaskText;
 use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
 use crate::{Wake, clock};
 use camera_lab_files::disk::{self, Lock};
@@ -352,7 +351,7 @@ pub struct UnsavedText {
     /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as typed.
     pub words: [Localized; 6],
     /// The task of the step, as typed.
-    pub task: TaskText,
+    pub task: crate::lessons::TaskText,
 }
 
 #[cfg(test)]

@@ -4,7 +4,6 @@ use std::io::ErrorKind;
 use std::mem::{Discriminant, discriminant};
 use std::path::PathBuf;
 
-use crate::scene::system_kind;
 use camera_lab_files::FileError;
 
 /// A message about the storage of windows. Each is shown once.
@@ -64,7 +63,7 @@ impl NotKept {
     fn cause(&self) -> Cause {
         match &self.error {
             FileError::Read(error) | FileError::Write(error) => {
-                Cause::System(system_kind(error.kind(), error.raw_os_error()))
+                Cause::System(crate::scene::system_kind(error.kind(), error.raw_os_error()))
             }
             other => Cause::Other(discriminant(other)),
         }

@@ -9,7 +9,6 @@ use crate::background::worker::Worker;
 use crate::document::{Document, Seen};
 use crate::figure::Figure;
 use crate::history::Revision;
-use crate::progress::Progress;
 use crate::storage::session::UnsavedText;
 use crate::{Wake, clock};
 use camera_lab_files::disk::{self, Lock};
@@ -110,7 +109,8 @@ pub(super) struct Writer {
 
 impl Writer {
     pub(super) fn new(file: PathBuf, lock: Lock) -> Self {
-        let worker = Worker::new("session", clock::now, || async |job: WriteJob, _: &Progress| job.run());
+        let worker =
+            Worker::new("session", clock::now, || async |job: WriteJob, _: &crate::progress::Progress| job.run());
         Self { file, lock: Arc::new(lock), worker, asked: None, version: None }
     }
 
