@@ -203,13 +203,24 @@ fn reference(study: Study) -> &'static str {
     }
 }
 
+/// The kind of a study's error, in the words of [FPBench](https://fpbench.org): forward or backward, absolute or
+/// relative, sampled or proved.
+pub const fn kind(lang: Lang, study: Study) -> &'static str {
+    match study {
+        Study::VertexTransform | Study::Basis | Study::Shading | Study::Antialiasing => text!(lang, kind_absolute),
+        Study::Clipping | Study::TextureFilter | Study::Photograph => text!(lang, kind_absolute),
+        Study::RepeatedOperations => text!(lang, kind_relative),
+        Study::DepthBuffer | Study::Visibility | Study::Shadows => text!(lang, kind_share),
+    }
+}
+
 /// A study as a table: `*` marks the methods on the Pareto front.
 pub fn table(lang: Lang, findings: &Findings) -> String {
     let t = texts(lang);
     let number = |text: &str| lang.mark().typed(text);
     let mut table = format!("{} ({})\n", title(lang, findings.study), findings.study.name());
     let reference = if lang.grammar() == Grammar::Portuguese { reference(findings.study) } else { findings.reference };
-    table += &text!(lang, table, reference, working_set = findings.working_set);
+    table += &text!(lang, table, reference, kind = kind(lang, findings.study), working_set = findings.working_set);
     let mut last: Option<(&str, f64)> = None;
     for row in &findings.rows {
         if last != Some((&row.case, row.parameter)) {
