@@ -53,8 +53,8 @@ impl Reading {
         self.worker.ask(&frames(ctx), 0, read);
     }
 
-    /// The way to go on with the file once it's there, and if the window's figure has changed since the request. None if
-    /// the user has gone on to another figure.
+    /// The way to go on with the file once it's there, and if the window's figure has changed since the request.
+    /// `None` if the user has gone on to another figure.
     pub(super) fn take(&mut self, model: &Model, patience: Duration) -> Option<(Take, bool)> {
         let [done] = self.worker.take(patience);
         let take = done?.outcome?;
