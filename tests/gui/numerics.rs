@@ -103,7 +103,7 @@ fn a_cancelled_study_is_not_shown_as_measured() {
 /// written in one step.
 #[test]
 fn the_figure_is_examined_and_the_keys_of_a_way_are_used_in_one_step() {
-    let mut window = Window::new(Lang::En);
+    let mut window = Window::opened(std::path::Path::new("assets/figures/house.toml"));
     let state = &mut window.app_mut().state;
     state.model.desk.shown.edit(|figure| figure.image = camera_lab::camera::ImageSize { width: 64, height: 48 });
     state.numerics.this_figure.effort.seconds = 0.0;
