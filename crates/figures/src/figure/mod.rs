@@ -2,6 +2,7 @@
 //! the explanations in the pictures. One figure file is one `Figure`.
 
 mod cameras;
+mod comparison;
 mod edit;
 pub mod error;
 mod keys;
@@ -28,6 +29,7 @@ use crate::appearance::Style;
 use crate::camera::{ImageSize, LensForm, Parameters, Projection, Viewport};
 use crate::scene::{FileUse, Preset, SceneSpec};
 pub use cameras::{CameraTag, NamedCamera};
+pub use comparison::Comparison;
 pub use edit::{Difference, difference, has, number_at, show_with, update, varied, varied_together};
 pub use error::FigureError;
 pub use keys::KEYS;
@@ -36,7 +38,7 @@ pub use labels::{
 };
 pub use localized::Localized;
 pub use observer::Observer;
-pub use other_side::{Comparison, OtherSide};
+pub use other_side::OtherSide;
 pub use points::NamedPoint;
 pub use reveal::{Depth, Outside, Reveal, ShadowReveal};
 pub use screen::{Arrangement, Explanation, Screen, ScreenEntry, ScreenMatrix};

@@ -41,6 +41,7 @@ mod words {
 
 /// Picking, hovering and dragging in the pictures.
 mod interact {
+    pub(super) mod cameras;
     pub mod handles;
     pub(super) mod hits;
     pub(super) mod hover;
@@ -71,7 +72,7 @@ pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_firs
 pub use compared::{Side, overlay};
 pub use image::depth;
 pub use image::light_view::{ShadowAt, shadows_at};
-pub use interact::hits::camera_at;
+pub use interact::cameras::camera_at;
 pub use interact::hover::{
     Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, Projector, ShadowTruth, TransformGizmo, Transforming,
     TriangleOverlay,

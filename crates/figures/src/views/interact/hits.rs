@@ -1,13 +1,10 @@
-//! Hits: of a segment on the faces of a scene, and of the pointer on other cameras.
+//! Intersections of a segment with the faces of a scene.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
 use crate::geometry::ray_meets_triangle;
 use crate::scene::{Object, ObjectPaint, Scene};
-use crate::views::world::camera_gizmo::GizmoSizes;
-use crate::views::world::world_framing;
-use crate::views::{OtherCamera, Request};
 
 /// The first point of the scene's faces on a segment (world), beginning at `from`.
 pub(in crate::views) fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
@@ -75,25 +72,4 @@ pub(in crate::views) fn triangle_hit(object: &Object, from: DVec3, to: DVec3, fr
     hits.filter(|((t, is_front), _)| (0.0..=1.0).contains(t) && (*is_front || !fronts_only))
         .map(|((t, _), i)| (t, i))
         .min_by(|one, other| one.0.total_cmp(&other.0))
-}
-
-/// The camera of the list whose body is at `pointer` (pixels), or within `reach` pixels of it.
-pub fn camera_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> {
-    /// Half the height of a body, and its position along **n**, in its units.
-    const HALF: f64 = 0.5;
-    const ALONG: [f64; 4] = [0.0, 0.6, 1.2, 1.8];
-    if request.shot.cameras.is_empty() || request.shot.look.world.section {
-        return None;
-    }
-    let screen = world_framing::screen(request)?;
-    let distance = |other: &OtherCamera| {
-        let camera = &other.camera;
-        let body = GizmoSizes::new(&screen, camera, &request.shot.look.world).body;
-        let places = ALONG.map(|along| screen.place_inside(camera.position() + camera.basis().n * (along * body)));
-        let nearest = places.into_iter().flatten().map(|place| place.distance(pointer)).min_by(f64::total_cmp)?;
-        let radius = HALF * body / screen.units_per_pixel(camera.position());
-        (nearest <= reach.max(radius)).then_some(nearest)
-    };
-    let within = request.shot.cameras.iter().enumerate().filter_map(|(i, other)| Some((i, distance(other)?)));
-    within.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
 }
