@@ -25,6 +25,7 @@ const BEHIND: [f64; 6] = [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6];
 const WORST: f64 = 3.464_101_615_137_754_6;
 
 type Ends = [DVec3; 2];
+type Clipper<'a> = &'a dyn Fn(&Ends) -> Option<Ends>;
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(300, 20);
@@ -54,14 +55,14 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             let mut random = Random::new(lab.effort.seed, 500 + (c * BEHIND.len() + b) as u64);
             let segments: Vec<Ends> = (0..count).map(|_| segment(&mut random, sign * behind)).collect();
             let exact: Vec<Option<Ends>> = segments.iter().map(|ends| before_divide(&matrix, ends)).collect();
-            let methods: [(&str, &dyn Fn(&Ends) -> Option<Ends>); 5] = [
+            let methods: [(&str, Clipper); 5] = [
                 ("f32 after the divide", &|ends| after_divide(&single, ends)),
                 ("f32 before the divide", &|ends| before_divide(&single, ends)),
                 ("f64 after the divide", &|ends| after_divide(&double, ends)),
                 ("f64 before the divide", &|ends| before_divide(&double, ends)),
                 (OWN, &|&ends| own(ends).map(displayed)),
             ];
-            let measure = |method: &&dyn Fn(&Ends) -> Option<Ends>, _, (): &(), trial: &mut Trial| {
+            let measure = |method: &Clipper, _, (): &(), trial: &mut Trial| {
                 let results = trial.time(&watch, &segments, method);
                 for (i, (result, exact)) in results.iter().zip(&exact).enumerate().take(trial.to_judge()) {
                     trial.note(i, off(result.as_ref(), exact.as_ref()));

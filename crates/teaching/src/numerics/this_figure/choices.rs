@@ -162,7 +162,7 @@ pub(super) fn choices(figure: &Figure, scene: &Scene, plan: &Plan, minified: &[b
     }
     match skipped(Stage::Shadow) {
         Some(why) => {
-            ["scene.lights.shadow_map", "scene.lights.shadow_bias"].into_iter().for_each(|key| leave(key, why))
+            ["scene.lights.shadow_map", "scene.lights.shadow_bias"].into_iter().for_each(|key| leave(key, why));
         }
         None => {
             for (k, light) in figure.scene.lights.iter().enumerate().filter(|(_, light)| light.shadows.cast) {

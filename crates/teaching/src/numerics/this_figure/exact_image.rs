@@ -245,6 +245,7 @@ impl<'a> Rays<'a> {
                 let part = (y - top[1]) / (bottom[1] - top[1]);
                 if part.is_finite() { top[0] + part.clamp(0.0, 1.0) * (bottom[0] - top[0]) } else { top[0] }
             };
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a pixel of the image")]
             let whole = |v: f64, most: f64| v.floor().clamp(0.0, most - 1.0) as usize;
             let [first, last] = [top[1] - NEAR_EDGE, bottom[1] + NEAR_EDGE];
             if !(last >= 0.0 && first < height) {
