@@ -84,7 +84,6 @@ impl Study {
             axes: [Axis::Linear, Axis::Logarithmic],
             mark: words.mark,
             series,
-            ..Chart::default()
         }
     }
 }
