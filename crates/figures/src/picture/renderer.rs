@@ -218,8 +218,12 @@ impl Renderer {
         Some((views::frame(request, on_window.as_ref(), &mut self.pipeline), time))
     }
 
-    /// The image that the window of the world shows. Drawn again only if its content has changed.
+    /// The image that the window of the world shows. Drawn again only if its content has changed, and an empty one if
+    /// it shows none.
     async fn image_on_window(&mut self, request: &Request) -> Option<(Arc<Texture>, Option<Duration>)> {
+        if !request.shows_image_on_window() {
+            return Some((Arc::new(Texture::flat(1, 1, Vec::new())), None));
+        }
         let image = request.image_on_window();
         if let Some((made_from, texture)) = &self.on_window
             && *made_from == image
@@ -272,7 +276,7 @@ mod tests {
     use crate::camera::{Camera, Parameters};
     use crate::drawing::Drawing;
     use crate::figure::read::parse;
-    use crate::figure::{Observer, ShadowReveal};
+    use crate::figure::{Observer, ShadowReveal, WorldPart};
     use crate::pipeline::{Output, OverBudget, Reason, Stage};
     use crate::scene::{Scene, no_files};
     use crate::views::{Finish, SharedScene, Shot, Size, unlabelled};
@@ -442,6 +446,24 @@ mod tests {
         pipeline.stages.max_pieces = Some(40);
         let frame = views::frame(&request, None, &mut pipeline);
         assert!(frame.over_budget.is_some() && !frame.drawing.painted_in_order);
+    }
+
+    #[test]
+    fn a_window_that_shows_no_image_has_none_drawn() {
+        let hide: [fn(&mut Shot); 3] = [
+            |shot| shot.look.world.section = true,
+            |shot| shot.look.world.window_opacity = Some(0.0),
+            |shot| shot.look.world.parts.set(WorldPart::Window, false),
+        ];
+        for hide in hide {
+            let request = request(View::World, "depth-buffer").with_shot(hide);
+            let mut renderer = Renderer::default();
+            let picture = renderer.pixels(&request).unwrap();
+            assert!(renderer.on_window.is_none());
+            let image = Arc::new(renderer.pixels(&request.image_on_window()).unwrap().into_texture());
+            let drawing = views::frame(&request, Some(&image), &mut TimedPipeline::default()).drawing;
+            assert!(picture == Rasterizer::default().paint(&drawing).unwrap().into());
+        }
     }
 
     #[test]

@@ -227,8 +227,9 @@ impl<'a> World<'a> {
         }
         match self.on_window {
             Some(image) => {
-                let opacity = self.request.shot.look.world.window_opacity.unwrap_or_else(|| self.unobtrusive());
-                if opacity > 0.0 {
+                let look = &self.request.shot.look.world;
+                let opacity = look.window_opacity.unwrap_or_else(|| self.unobtrusive());
+                if self.request.shows_image_on_window() && opacity > 0.0 {
                     self.builder.gear.objects.push(painted(near, image, opacity));
                 }
             }
@@ -243,10 +244,6 @@ impl<'a> World<'a> {
         const LITTLE: f64 = 0.12;
         const MUCH: f64 = 0.45;
         const FAINTEST: f64 = 0.3;
-        // The image on a window that's drawn narrower isn't to scale.
-        if self.content.volume.narrowed != [1.0; 2] {
-            return 0.0;
-        }
         // A window this many times as large as everything else is a wall without a picture.
         const LARGE: f64 = 2.0;
         const WALL: f64 = 6.0;

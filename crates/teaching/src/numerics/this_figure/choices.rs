@@ -152,8 +152,7 @@ pub(super) fn choices(figure: &Figure, scene: &Scene, plan: &Plan, minified: &[b
                 let parts = || (first..scene.objects.len()).filter(|&place| scene.objects[place].owner() == spec.name);
                 let Some(own) = parts().find_map(filter) else { continue };
                 if parts().any(|place| minified.get(place).copied().unwrap_or(false)) {
-                    let word = |filter: Filter| Value::Word(filter.name());
-                    add(Key::Filter(k), FILTERS.map(word).to_vec(), word(own));
+                    add(Key::Filter(k), words(Filter::NAMED), word(Filter::NAMED, own));
                 } else {
                     leave(&Key::Filter(k).path(), WhyNot::Magnified);
                 }
@@ -174,9 +173,6 @@ pub(super) fn choices(figure: &Figure, scene: &Scene, plan: &Plan, minified: &[b
     }
     (all, left_out)
 }
-
-/// All filters.
-const FILTERS: [Filter; 3] = [Filter::Nearest, Filter::Bilinear, Filter::Trilinear];
 
 fn words<T>(words: Words<T>) -> Vec<Value> {
     words.iter().map(|(name, _)| Value::Word(name)).collect()
@@ -230,9 +226,9 @@ pub fn apply(figure: &mut Figure, changes: &[(Key, Value)]) {
                 let found = Samples::ALL.into_iter().find(|samples| f64::from(samples.count()) == count);
                 style.antialias = found.unwrap_or(style.antialias);
             }
-            (Key::Filter(k), Value::Word(name)) => {
+            (Key::Filter(k), _) => {
                 if let Some(object) = scene.objects.get_mut(k) {
-                    object.filter = FILTERS.into_iter().find(|filter| filter.name() == name).or(object.filter);
+                    object.filter = named(Filter::NAMED, value).or(object.filter);
                 }
             }
             (Key::ShadowMap(k), Value::Number(map)) => {
@@ -247,7 +243,7 @@ pub fn apply(figure: &mut Figure, changes: &[(Key, Value)]) {
                     light.shadows.bias = bias;
                 }
             }
-            (_, Value::Word(_) | Value::Number(_)) => {}
+            (_, Value::Word(_)) => {}
         }
     }
 }

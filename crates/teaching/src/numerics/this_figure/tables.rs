@@ -100,19 +100,7 @@ impl Study {
     /// Those of the writer.
     pub fn csv(&self) -> Result<String, csv::Error> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        let numbers = [
-            "different",
-            "wrong",
-            "rms",
-            "ms",
-            "ms_low",
-            "ms_high",
-            "bytes",
-            "front",
-            "undecided",
-            "yours",
-            "cheapest",
-        ];
+        let numbers = "different wrong rms ms ms_low ms_high bytes front undecided yours cheapest".split(' ');
         let keys = self.choices.iter().map(|choice| choice.key.path());
         writer.write_record(keys.chain(numbers.map(str::to_owned)))?;
         for Row { set, different, wrong, rms, ms: [ms, low, high], bytes, front, undecided, yours, cheapest } in
