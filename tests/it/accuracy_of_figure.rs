@@ -150,8 +150,8 @@ fn the_lesson_about_numbers_that_break_asks_what_the_study_answers() {
         value["rows"].as_array().unwrap().iter().find(is_it).unwrap()["different"].as_f64().unwrap()
     };
     let own = different("depth-buffer", "fixed-24", 4);
-    assert!(different("depth-buffer", "f32-reversed", 4) < 0.1 * own);
-    assert!(different("bsp", "", 4) < 0.1 * own);
+    assert!(different("depth-buffer", "f32-reversed", 4) < 0.2 * own);
+    assert!(different("bsp", "", 4) < 0.2 * own);
     assert!(different("depth-buffer", "fixed-24", 16) > 0.9 * own);
     assert!(different("depth-buffer", "fixed-24", 16) > different("depth-buffer", "fixed-24", 1));
     assert!(different("painter", "", 4) > 0.5 * own);
