@@ -118,7 +118,7 @@ fn the_figure_is_examined_and_the_keys_of_a_way_are_used_in_one_step() {
     let study = window.state().numerics.this_figure.study().cloned().expect("examined");
     let mut others = study.ways.iter().enumerate().filter(|(k, _)| ![study.yours, study.cheapest].contains(k));
     let (_, way) = others.next().expect("several ways");
-    let set = this_figure::set(Lang::En, &figure.scene, &study, way);
+    let set = this_figure::changed(Lang::En, &figure.scene, &study, way);
     window.click(&format!("{} {set}", this_figure::mark(way)));
     window.wait(|window| window.harness.query_by_label(en::THIS_FIGURE.divider).is_some());
     window.click(en::THIS_FIGURE.use_these);

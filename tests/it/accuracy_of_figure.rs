@@ -2,6 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use camera_lab::appearance::DepthFormat;
+use camera_lab::figure::write::to_toml;
+use camera_lab::lessons::{Step, shipped};
 use serde_json::Value;
 
 use crate::common::program::Bench;
@@ -16,6 +19,19 @@ fn pixels(png: &[u8]) -> Vec<[u8; 3]> {
 fn linear(channel: u8) -> f64 {
     let v = f64::from(channel) / 255.0;
     if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
+}
+
+/// Compares the errors of a row with those of its picture.
+fn assert_errors(row: &Value, drawn: &[[u8; 3]], exact: &[[u8; 3]]) {
+    let (mut different, mut squares) = (0.0, 0.0);
+    for (a, b) in drawn.iter().zip(exact) {
+        different += f64::from(u8::from(a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 4)));
+        squares += a.iter().zip(b).map(|(&a, &b)| (linear(a) - linear(b)).powi(2)).sum::<f64>();
+    }
+    let pixels = exact.len() as f64;
+    let near = |of: &Value, expected: f64| (of.as_f64().unwrap() - expected).abs() < 1e-12;
+    assert!(near(&row["different"], different / pixels), "{row}");
+    assert!(near(&row["rms"], (squares / (3.0 * pixels)).sqrt()), "{row}");
 }
 
 /// Every number but the times follows from pictures that the program writes.
@@ -45,15 +61,7 @@ fn the_errors_are_those_of_rendered_pictures() {
         bench.write("row.toml", FIGURE.replace("antialias = 1\n", &style));
         bench.run(&["render", "row.toml", "--view", "image", "--size", "64x48", "-o", "row.png"]).done();
         let drawn = pixels(&bench.read("row.png"));
-        let (mut different, mut squares) = (0.0, 0.0);
-        for (a, b) in drawn.iter().zip(&exact) {
-            different += f64::from(u8::from(a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 4)));
-            squares += a.iter().zip(b).map(|(&a, &b)| (linear(a) - linear(b)).powi(2)).sum::<f64>();
-        }
-        let pixels = exact.len() as f64;
-        let near = |of: &Value, expected: f64| (of.as_f64().unwrap() - expected).abs() < 1e-12;
-        assert!(near(&row["different"], different / pixels), "{row}");
-        assert!(near(&row["rms"], (squares / (3.0 * pixels)).sqrt()), "{row}");
+        assert_errors(row, &drawn, &exact);
         let [ms, low, high] = [0, 1, 2].map(|k| row["ms"][k].as_f64().unwrap());
         assert!(0.0 < low && low <= ms && ms <= high, "{row}");
         assert!(row["bytes"].as_u64().unwrap() >= 4 * 64 * 48, "{row}");
@@ -63,6 +71,44 @@ fn the_errors_are_those_of_rendered_pictures() {
         value["rows"].as_array().unwrap().iter().map(row).collect()
     };
     assert_eq!(errors(&value), errors(&run("0.2")));
+}
+
+/// Filters and shadow maps are keys of the scene. Their pictures are those of a figure that has them.
+#[test]
+fn the_errors_of_filters_and_shadow_maps_are_those_of_rendered_pictures() {
+    let bench = Bench::new("accuracy-scene");
+    let figure = |set: &serde_json::Map<String, Value>| {
+        let of = |key: &str| set.get(key).map_or_else(String::new, |value| format!("{} = {value}\n", last(key)));
+        let style: String = set.keys().filter(|key| key.starts_with("style.")).map(|key| of(key)).collect();
+        format!(
+            "[camera]\nposition = [2, 2, 5]\nnear = 1\n[scene]\npreset = \"empty\"\n[[scene.objects]]\nname = \"floor\"\n\
+             shape = \"box\"\nscale = [4, 0.1, 4]\ntranslate = [0, -1, 0]\ntexture = \"chequer\"\n\
+             texture_scale = [6, 6]\n{}[[scene.objects]]\nname = \"ball\"\nshape = \"sphere\"\n[[scene.lights]]\n\
+             kind = \"directional\"\ndirection = [-1, -2, -1]\nshadows = true\n{}{}[style]\nshading = \"flat\"\n{style}",
+            of("scene.objects.0.filter"),
+            of("scene.lights.0.shadow_map"),
+            of("scene.lights.0.shadow_bias"),
+        )
+    };
+    bench.write("figure.toml", figure(&serde_json::Map::new()));
+    let size = ["--size", "48x36"];
+    let args = ["accuracy", "figure.toml", "--seconds", "0", "--reference", "exact.png", "--format", "json"];
+    let value = bench.run(&[&args[..], &size].concat()).json();
+    let exact = pixels(&bench.read("exact.png"));
+    let rows = value["rows"].as_array().unwrap();
+    for key in ["scene.objects.0.filter", "scene.lights.0.shadow_map", "scene.lights.0.shadow_bias"] {
+        assert!(value["choices"].get(key).is_some(), "{key}: {}", value["choices"]);
+    }
+    for row in rows.iter().step_by(1 + rows.len() / 12) {
+        bench.write("row.toml", figure(row["set"].as_object().unwrap()));
+        bench.run(&[&["render", "row.toml", "--view", "image", "-o", "row.png"][..], &size].concat()).done();
+        assert_errors(row, &pixels(&bench.read("row.png")), &exact);
+    }
+}
+
+/// The last word of a path.
+fn last(key: &str) -> &str {
+    key.rsplit('.').next().unwrap_or(key)
 }
 
 #[test]
@@ -85,6 +131,32 @@ fn the_front_and_the_answer_follow_from_the_rows() {
     assert_eq!(fastest["cheapest"], true);
 }
 
+/// The answer of the lesson's question, and what its notes say, is what the study of the step's figure finds.
+#[test]
+fn the_lesson_about_numbers_that_break_asks_what_the_study_answers() {
+    let lesson = &shipped().iter().find(|shipped| shipped.lesson.id == "limits").unwrap().lesson;
+    let is_it = |step: &&Step| step.figure.style.depth_format == DepthFormat::Fixed24 && step.task.is_some();
+    let step = lesson.steps.iter().find(is_it).unwrap();
+    let bench = Bench::new("accuracy-lesson");
+    bench.write("step.toml", to_toml(&step.figure));
+    let args = ["accuracy", "step.toml", "--size", "240x180", "--seconds", "0", "--format", "json"];
+    let value = bench.run(&args).json();
+    let different = |visibility: &str, format: &str, samples: u32| {
+        let is_it = |row: &&Value| {
+            let set = &row["set"];
+            let is_format = visibility != "depth-buffer" || set["style.depth_format"] == format;
+            set["style.visibility"] == visibility && is_format && set["style.antialias"] == samples
+        };
+        value["rows"].as_array().unwrap().iter().find(is_it).unwrap()["different"].as_f64().unwrap()
+    };
+    let own = different("depth-buffer", "fixed-24", 4);
+    assert!(different("depth-buffer", "f32-reversed", 4) < 0.2 * own);
+    assert!(different("bsp", "", 4) < 0.2 * own);
+    assert!(different("depth-buffer", "fixed-24", 16) > 0.9 * own);
+    assert!(different("depth-buffer", "fixed-24", 16) > different("depth-buffer", "fixed-24", 1));
+    assert!(different("painter", "", 4) > 0.5 * own);
+}
+
 #[test]
 fn tables_and_charts_are_in_both_languages_and_each_reason_is_named() {
     let bench = Bench::new("accuracy-words");
@@ -101,6 +173,8 @@ fn tables_and_charts_are_in_both_languages_and_each_reason_is_named() {
     assert!(portuguese.contains("A sua: ") && portuguese.contains("Não experimentado: "), "{portuguese}");
     assert!(String::from_utf8_lossy(&bench.read("chart.svg")).contains(">yours</text>"));
     assert!(bench.read("chart.png").starts_with(b"\x89PNG"));
+    // A format of depths means nothing without a depth buffer, so the table doesn't name one there.
+    assert!(english.contains("  BSP tree, 4 samples\n") && english.contains("Depth buffer, depth: 24 bits, 4 samples"));
     let csv = text(&["--format", "csv"]);
     assert!(csv.starts_with("style.visibility,style.depth_format,style.antialias,different,"), "{csv}");
     bench.write("aside.toml", format!("{FIGURE}[reveal]\nclipping = true\n"));

@@ -69,8 +69,23 @@ fn named<T>(words: Words<T>, texts: &[&str], word: &str) -> String {
 
 /// The values of a way in words, one after the other.
 pub fn set(lang: Lang, scene: &SceneSpec, study: &Study, way: &Way) -> String {
-    let values: Vec<String> = study.set(way).map(|(key, of)| value(lang, scene, key, of)).collect();
-    let text = values.join(", ");
+    values(lang, scene, study.set(way), way_of_hiding(study, way))
+}
+
+/// The values in which a way differs from the figure, in words. Nothing for the figure's own way.
+pub fn changed(lang: Lang, scene: &SceneSpec, study: &Study, way: &Way) -> String {
+    values(lang, scene, study.changes(way).into_iter(), way_of_hiding(study, way))
+}
+
+fn way_of_hiding(study: &Study, way: &Way) -> Option<Value> {
+    study.set(way).find_map(|(key, value)| (key == Key::Visibility).then_some(value))
+}
+
+/// Values in words. Without a depth buffer, its format means nothing.
+fn values(lang: Lang, scene: &SceneSpec, of: impl Iterator<Item = (Key, Value)>, visibility: Option<Value>) -> String {
+    let has_depths = visibility == Some(Value::Word("depth-buffer"));
+    let of = of.filter(|(key, _)| has_depths || *key != Key::DepthFormat);
+    let text = of.map(|(key, of)| value(lang, scene, key, of)).collect::<Vec<_>>().join(", ");
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
@@ -91,6 +106,9 @@ pub fn way(lang: Lang, scene: &SceneSpec, study: &Study, way: &Way) -> String {
     text!(lang, way, set, ms, low, high, different)
 }
 
+/// If even the best way differs in a greater share of the pixels, that share alone says little.
+const MANY: f64 = 0.05;
+
 /// The two answers: the figure as it is, and the cheapest way that can't be told from the best.
 pub fn answers(lang: Lang, scene: &SceneSpec, study: &Study) -> Vec<String> {
     let [Some(yours), Some(cheapest)] = [study.yours, study.cheapest].map(|place| study.ways.get(place)) else {
@@ -110,6 +128,9 @@ pub fn answers(lang: Lang, scene: &SceneSpec, study: &Study) -> Vec<String> {
     }
     let [best, this] = [study.best(), cheapest.cost.different].map(|share| percent(lang, share));
     lines.push(text!(lang, best_is, best, this));
+    if study.best() > MANY {
+        lines.push(text!(lang, all_differ).to_owned());
+    }
     lines
 }
 
@@ -123,10 +144,11 @@ pub fn left_out(lang: Lang, study: &Study) -> Vec<String> {
     lines
 }
 
-/// Time, share of differing pixels and memory of a way.
-pub fn columns(lang: Lang, way: &Way) -> [String; 3] {
+/// Time, share of differing pixels, root mean square and memory of a way.
+pub fn columns(lang: Lang, way: &Way) -> [String; 4] {
     let different = format!("{} %", percent(lang, way.cost.different));
-    [milliseconds(lang, way.ms.median), different, mebibytes(lang, way.cost.bytes)]
+    let rms = lang.mark().printed(&significant(way.cost.rms, 2));
+    [milliseconds(lang, way.ms.median), different, rms, mebibytes(lang, way.cost.bytes)]
 }
 
 /// The mark of a way: on the front, off it, or undecided.

@@ -27,7 +27,7 @@ const NEAR: f32 = 14.0;
 /// Room for the answers below the chart.
 const ANSWERS: f32 = 64.0;
 /// Width of the table of ways.
-const TABLE: f32 = 430.0;
+const TABLE: f32 = 520.0;
 
 /// The figure to examine.
 #[derive(Clone, Debug, PartialEq)]
@@ -309,26 +309,28 @@ fn ways(
     let mut order: Vec<usize> = (0..study.ways.len()).collect();
     order.sort_by(|&a, &b| study.ways[a].ms.median.total_cmp(&study.ways[b].ms.median));
     let mut pointed = None;
-    Grid::new("ways").num_columns(4).striped(true).show(ui, |ui| {
-        for head in [t.ms, t.different, t.memory, ""] {
+    Grid::new("ways").num_columns(5).striped(true).show(ui, |ui| {
+        for head in [t.ms, t.different, t.rms, t.memory, t.change] {
             ui.label(RichText::new(head).strong());
         }
         ui.end_row();
         for k in order {
             let way = &study.ways[k];
-            let [ms, different, memory] = words::columns(lang, way);
-            ui.monospace(ms);
-            ui.monospace(different);
-            ui.monospace(memory);
+            for column in words::columns(lang, way) {
+                ui.monospace(column);
+            }
             let mark = words::mark(way);
-            let named = [(study.yours, t.yours), (study.cheapest, t.cheapest)];
-            let names: String = named.iter().filter(|(of, _)| *of == k).map(|(_, name)| format!(" ({name})")).collect();
-            let set = words::set(lang, &figure.scene, study, way);
+            let names = [(study.yours, t.yours), (study.cheapest, t.cheapest)];
+            let mut text: Vec<String> =
+                names.iter().filter(|(of, _)| *of == k).map(|(_, name)| (*name).into()).collect();
+            let is_named = !text.is_empty();
+            text.push(words::changed(lang, &figure.scene, study, way));
+            text.retain(|text| !text.is_empty());
             ui.horizontal(|ui| {
                 let color = by.and_then(|choice| way.combination.get(choice)).copied();
                 ui.colored_label(color_of(color, ui.visuals().dark_mode), "●");
-                let text = RichText::new(format!("{mark} {set}{names}"));
-                let text = if names.is_empty() { text } else { text.strong() };
+                let text = RichText::new(format!("{mark} {}", text.join(": ")));
+                let text = if is_named { text.strong() } else { text };
                 let label = ui.selectable_label(k == shown, text);
                 if label.hovered() || label.has_focus() {
                     pointed = Some(k);

@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::{DMat3, DVec3};
 
-use crate::appearance::{Filter, Level, Rgba, Shading, Wrap};
+use crate::appearance::{DepthFormat, Filter, Level, Rgba, Samples, Shading, Visibility, Wrap};
 use crate::camera::{Camera, ImageSize, Projection};
 use crate::drawing::{Base, Drawing};
 use crate::geometry::try_unit;
@@ -32,6 +32,8 @@ use crate::views::{Palette, PixelRect, Request, image_frame};
 const SIDE: u32 = 8;
 /// Places of a pixel.
 pub const SAMPLES: u32 = SIDE * SIDE;
+/// Points along one side of a place at which a texture is read, at most. Beyond that, its levels of detail are read.
+const FINEST: u32 = 4;
 /// Edges count for the pixels that they come this near to, in pixels. More than the rounding of their ends.
 const NEAR_EDGE: f64 = 1e-6;
 
@@ -62,7 +64,11 @@ pub struct ExactImage {
 /// A colour, premultiplied, 0 … 255.
 type Color = [f64; 4];
 
-/// Draws the exact image of a request for the image. Lines, marks and letters are the request's own.
+/// The mean colour of a texture in a pixel, for each triangle that has one and is visible there.
+type Textures = Vec<(usize, Color)>;
+
+/// Draws the exact image of a request for the image. Lines, marks and letters are drawn by the program, hidden by its
+/// best depth buffer: those of the request would be wrong as its faces are, if they're painted in order.
 pub(super) async fn exact_image(request: &Request, progress: &Progress) -> Result<ExactImage, NoExactImage> {
     let size = request.size;
     if u64::from(size.width) * u64::from(size.height) > MAX_STEPPED_PIXELS {
@@ -74,7 +80,12 @@ pub(super) async fn exact_image(request: &Request, progress: &Progress) -> Resul
     let image = ImageSize { width: frame.width, height: frame.height };
     let faces = by_rows(image, progress, |pixel, at| rays.pixel(pixel, rays.edges.get(at).copied().unwrap_or(true)));
     let faces = faces.await.ok_or(NoExactImage::Cancelled)?;
-    let drawing = Renderer::default().drawing(request).ok_or(NoExactImage::Memory)?.drawing;
+    let best = request.clone().with_shot(|shot| {
+        let style = &mut shot.look.style;
+        (style.visibility, style.depth_format) = (Visibility::DepthBuffer, DepthFormat::Float);
+        style.antialias = Samples::Sixteen;
+    });
+    let drawing = Renderer::default().drawing(&best).ok_or(NoExactImage::Memory)?.drawing;
     let over = Overlay::of(drawing).ok_or(NoExactImage::Memory)?;
     let palette = Palette::of(request.shot.look.style.theme);
     let PixelRect { x, y, width, height } = frame;
@@ -268,16 +279,69 @@ impl<'a> Rays<'a> {
         let middle = pixel.map(center);
         let hits = self.hits(middle);
         if !has_edge && self.is_even(pixel, &hits) {
-            return self.color(middle, &hits);
+            return self.color(middle, &hits, &Vec::new());
         }
+        let part = |k: u32| (f64::from(k) + 0.5) / f64::from(SIDE);
+        let place = |k: u32| [f64::from(pixel[0]) + part(k % SIDE), f64::from(pixel[1]) + part(k / SIDE)];
+        let places: Vec<_> = (0..SAMPLES).map(place).map(|place| (place, self.hits(place))).collect();
+        let textures = self.textures(&places);
+        let colors = places.iter().map(|(place, hits)| self.color(*place, hits, &textures));
+        colors.fold([0.0; 4], |sum, color| from_fn(|k| sum[k] + color[k])).map(|sum| sum / f64::from(SAMPLES))
+    }
+
+    /// The mean of the texels of each face over the places of a pixel where it's visible.
+    fn textures(&self, places: &[([f64; 2], Vec<Nearest>)]) -> Textures {
+        let mut sums: Vec<(usize, Color, f64, bool)> = Vec::new();
+        for (place, hits) in places {
+            for hit in hits {
+                let before = sums.iter_mut().find(|(triangle, ..)| *triangle == hit.triangle);
+                let minified = before.as_ref().map(|(.., minified)| *minified);
+                let Some((color, minified)) = self.texels(hit, *place, minified) else { continue };
+                match before {
+                    Some((_, sum, count, _)) => (*sum, *count) = (from_fn(|k| sum[k] + color[k]), *count + 1.0),
+                    None => sums.push((hit.triangle, color, 1.0, minified)),
+                }
+            }
+        }
+        let mean = |(triangle, sum, count, minified): (usize, Color, f64, bool)| {
+            let mean = sum.map(|sum| sum / count);
+            (triangle, if minified { encoded(mean) } else { mean })
+        };
+        sums.into_iter().map(mean).collect()
+    }
+
+    /// The texels of a face at a place: their light if the texture is minified in the pixel, which the second value says
+    /// (the pixel's first place decides), else their colour. `None` if the face has no texture.
+    ///
+    /// The place is small, but many texels may lie under it. Then it's read at several points, and if those aren't enough
+    /// either, at the level of detail whose texels are as large as their distance.
+    fn texels(&self, hit: &Nearest, [x, y]: [f64; 2], minified: Option<bool>) -> Option<(Color, bool)> {
+        let body = self.body(hit.triangle)?;
+        let ObjectPaint::Texture(pictured) = &body.object.paint else { return None };
+        let indices = body.object.mesh.triangles.get(hit.triangle - body.first)?.map(|i| i as usize);
+        let corners = self.tiles.corners(hit.triangle)?;
+        let uv = indices.map(|i| pictured.uv.get(i).map_or([0.0; 2], |uv| uv.map(f64::from)));
+        let at = |place: [f64; 2]| -> [f64; 2] {
+            let shares = shares(corners, self.tiles.on_plane(corners, place));
+            from_fn(|k| (0..3).map(|corner| shares[corner] * uv[corner][k]).sum())
+        };
+        let side = 1.0 / f64::from(SIDE);
+        let texels = texels_between(pictured, at([x, y]), [at([x + side, y]), at([x, y + side])]);
+        let minified = minified.unwrap_or(texels > side);
+        if minified {
+            body.minified.store(1, Ordering::Relaxed);
+        }
+        let fine = texels.ceil().clamp(1.0, f64::from(FINEST));
+        let level = (texels / fine).log2().max(0.0);
+        let part = |k: f64| ((k + 0.5) / fine - 0.5) * side;
         let mut sum = [0.0; 4];
-        for place in 0..SAMPLES {
-            let part = |k: u32| (f64::from(k) + 0.5) / f64::from(SIDE);
-            let [x, y] = [f64::from(pixel[0]) + part(place % SIDE), f64::from(pixel[1]) + part(place / SIDE)];
-            let color = self.color([x, y], &self.hits([x, y]));
-            sum = from_fn(|k| sum[k] + color[k]);
+        let points = (0..FINEST * FINEST).map(|k| [f64::from(k % FINEST), f64::from(k / FINEST)]);
+        for [i, j] in points.filter(|[i, j]| *i < fine && *j < fine) {
+            let color = textured(pictured, at([x + part(i), y + part(j)]), level, minified);
+            let color = if minified { light(color) } else { color };
+            sum = from_fn(|k| sum[k] + color[k] / (fine * fine));
         }
-        sum.map(|sum| sum / f64::from(SAMPLES))
+        Some((sum, minified))
     }
 
     /// True if a pixel without an edge shows one colour, but for light that changes smoothly: the same faces in the same
@@ -329,18 +393,18 @@ impl<'a> Rays<'a> {
     }
 
     /// The colours of faces, nearest first, over the ground.
-    fn color(&self, place: [f64; 2], hits: &[Nearest]) -> Color {
+    fn color(&self, place: [f64; 2], hits: &[Nearest], textures: &Textures) -> Color {
         let mut sum = [0.0; 4];
         let over = |sum: &mut Color, below: Color| *sum = from_fn(|k| sum[k] + (1.0 - sum[3] / 255.0) * below[k]);
         for hit in hits {
-            over(&mut sum, self.color_of(hit, place).unwrap_or_default());
+            over(&mut sum, self.color_of(hit, place, textures).unwrap_or_default());
         }
         over(&mut sum, self.ground);
         sum
     }
 
     /// The colour of a face at a place, in its light.
-    fn color_of(&self, hit: &Nearest, place: [f64; 2]) -> Option<Color> {
+    fn color_of(&self, hit: &Nearest, place: [f64; 2], textures: &Textures) -> Option<Color> {
         let body = self.body(hit.triangle)?;
         let Object { mesh, paint, lit, .. } = body.object;
         let number = hit.triangle - body.first;
@@ -355,16 +419,8 @@ impl<'a> Rays<'a> {
                 from_fn(|k| (0..3).map(|corner| shares[corner] * colors[corner][k]).sum())
             }
             ObjectPaint::Texture(pictured) => {
-                let uv = indices.map(|i| pictured.uv.get(i).map_or([0.0; 2], |uv| uv.map(f64::from)));
-                let at = |shares: [f64; 3]| from_fn(|k| (0..3).map(|corner| shares[corner] * uv[corner][k]).sum());
-                let [x, y] = place;
-                let beside = [[x + 1.0, y], [x, y + 1.0]]
-                    .map(|place| at(self::shares(corners, self.tiles.on_plane(corners, place))));
-                let is_minified = is_minified(pictured, at(shares), beside);
-                if is_minified {
-                    body.minified.store(1, Ordering::Relaxed);
-                }
-                textured(pictured, at(shares), is_minified)
+                let (_, mean) = textures.iter().find(|(triangle, _)| *triangle == hit.triangle)?;
+                tinted(*mean, pictured.tint)
             }
         };
         if !lit || self.lights.is_empty() {
@@ -452,16 +508,18 @@ fn premultiplied(color: Rgba) -> Color {
     [f64::from(color.r) * alpha, f64::from(color.g) * alpha, f64::from(color.b) * alpha, f64::from(color.a)]
 }
 
-/// True if a pixel is larger than a texel: the longer of the two changes of (u, v) to the pixels beside, in texels.
-fn is_minified(pictured: &Pictured, at: [f64; 2], beside: [[f64; 2]; 2]) -> bool {
+/// The longer of the two changes of (u, v) to the places beside, in texels.
+fn texels_between(pictured: &Pictured, at: [f64; 2], beside: [[f64; 2]; 2]) -> f64 {
     let sides = [pictured.image.width(), pictured.image.height()].map(f64::from);
     let change = |to: [f64; 2]| ((to[0] - at[0]) * sides[0]).hypot((to[1] - at[1]) * sides[1]);
-    beside.into_iter().map(change).fold(0.0, f64::max) > 1.0
+    beside.into_iter().map(change).fold(0.0, f64::max)
 }
 
 /// The colour of a picture at a point: the texel under it if the picture is minified, else as its own filter has it.
-fn textured(pictured: &Pictured, at: [f64; 2], is_minified: bool) -> Color {
-    let Some(level) = pictured.image.levels().first() else { return [0.0; 4] };
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and few levels exist")]
+fn textured(pictured: &Pictured, at: [f64; 2], level: f64, is_minified: bool) -> Color {
+    let levels = pictured.image.levels();
+    let Some(level) = levels.get((level as usize).min(levels.len().saturating_sub(1))) else { return [0.0; 4] };
     let smooth = !is_minified && pictured.sampler.filter != Filter::Nearest;
     let around = |k: usize, size: u32, wrap: Wrap| around(at[k], f64::from(size), wrap, smooth);
     let [x, y] = [around(0, level.width, pictured.sampler.wrap_u), around(1, level.height, pictured.sampler.wrap_v)];
@@ -472,9 +530,27 @@ fn textured(pictured: &Pictured, at: [f64; 2], is_minified: bool) -> Color {
         let texel = texel(level, i, j);
         color = from_fn(|k| color[k] + weight * texel[k]);
     }
-    let Rgba { r, g, b, a } = pictured.tint;
+    color
+}
+
+/// A colour of a texture in the tint of its object.
+fn tinted(color: Color, Rgba { r, g, b, a }: Rgba) -> Color {
     let tint = [r, g, b, 255].map(|channel| f64::from(channel) / 255.0 * (f64::from(a) / 255.0));
     from_fn(|k| color[k] * tint[k])
+}
+
+/// A premultiplied colour as light, still premultiplied, 0 … 1.
+fn light([r, g, b, a]: Color) -> Color {
+    let light = |v: f64| if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
+    let channel = |v: f64| if a > 0.0 { a / 255.0 * light(v / a) } else { 0.0 };
+    [channel(r), channel(g), channel(b), a / 255.0]
+}
+
+/// The way back from [`light`].
+fn encoded([r, g, b, a]: Color) -> Color {
+    let srgb = |v: f64| if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 };
+    let channel = |v: f64| if a > 0.0 { 255.0 * a * srgb(v / a) } else { 0.0 };
+    [channel(r), channel(g), channel(b), 255.0 * a]
 }
 
 /// The two texels beside a coordinate along one axis, and the share of the second. The nearest one alone if it isn't
@@ -560,6 +636,42 @@ mod tests {
         let half = pixel(3, 4);
         for k in 0..3 {
             assert!((half[k] - 0.5 * (ground[k] + inside[k])).abs() <= 255.0 / 16.0, "{half:?} {ground:?} {inside:?}");
+        }
+    }
+
+    fn exact_of(text: &str) -> ExactImage {
+        let (figure, scene, camera) = crate::numerics::this_figure::tests::read(text);
+        let labels = crate::numerics::this_figure::tests::labels();
+        let (request, _) = request_of(&figure, &scene, &camera, labels, small());
+        at_once(exact_image(&request, &Progress::default())).unwrap()
+    }
+
+    /// Three bars, each over one and under another. The painter would also hide their outlines wrongly.
+    #[test]
+    fn the_exact_image_does_not_depend_on_what_the_figure_chooses() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/figures/pipeline/painter.toml");
+        let text = std::fs::read_to_string(path).unwrap();
+        let with = |style: &str| exact_of(&text.replace("visibility   = \"painter\"\n", style)).pixels;
+        let exact = with("");
+        for style in ["visibility = \"painter\"\n", "depth_format = \"fixed-16\"\n", "antialias = 1\n"] {
+            assert!(with(style) == exact, "{style}");
+        }
+    }
+
+    /// Squares far smaller than a pixel, dark and bright: their mean is that of their light, and not of their bytes.
+    #[test]
+    fn a_texture_far_smaller_than_a_pixel_has_the_light_of_its_texels() {
+        let text = "[scene]\npreset = \"empty\"\n[[scene.objects]]\nshape = \"box\"\ntexture = \"chequer\"\n\
+                    texture_scale = [317, 317]\n[camera]\nposition = [0, 0, 5]\nfocal_point = [0, 0, 0]\n\
+                    projection = \"parallel\"\nheight = 1\n[style]\nhidden_lines = \"hidden\"\n";
+        let exact = exact_of(text);
+        assert!(exact.minified.iter().any(|minified| *minified));
+        let (_, scene, _) = crate::numerics::this_figure::tests::read(text);
+        let ObjectPaint::Texture(pictured) = &scene.objects[0].paint else { panic!("no texture") };
+        let last = pictured.image.levels().last().unwrap().texel(0, 0);
+        for pixel in exact.pixels.rgba().chunks_exact(4) {
+            let near = pixel.iter().zip(last).all(|(byte, mean)| byte.abs_diff(mean) <= 3);
+            assert!(near, "{pixel:?} {last:?}");
         }
     }
 
