@@ -123,7 +123,7 @@ pub fn answers(lang: Lang, scene: &SceneSpec, study: &Study) -> Vec<String> {
     if study.yours == study.cheapest {
         lines.push(text!(lang, yours_is_cheapest).to_owned());
     } else {
-        let share = lang.mark().printed(&format!("{:.0}", 100.0 * cheapest.ms.median / yours.ms.median));
+        let share = lang.mark().number(cheapest.ms.median / yours.ms.median, 2);
         lines.push(text!(lang, cheapest_is, way = way(lang, scene, study, cheapest), share));
     }
     let [best, this] = [study.best(), cheapest.cost.different].map(|share| percent(lang, share));

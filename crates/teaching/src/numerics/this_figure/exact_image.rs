@@ -64,9 +64,6 @@ pub struct ExactImage {
 /// A colour, premultiplied, 0 … 255.
 type Color = [f64; 4];
 
-/// The mean colour of a texture in a pixel, for each triangle that has one and is visible there.
-type Textures = Vec<(usize, Color)>;
-
 /// Draws the exact image of a request for the image. Lines, marks and letters are drawn by the program, hidden by its
 /// best depth buffer: those of the request would be wrong as its faces are, if they're painted in order.
 pub(super) async fn exact_image(request: &Request, progress: &Progress) -> Result<ExactImage, NoExactImage> {
@@ -279,45 +276,20 @@ impl<'a> Rays<'a> {
         let middle = pixel.map(center);
         let hits = self.hits(middle);
         if !has_edge && self.is_even(pixel, &hits) {
-            return self.color(middle, &hits, &Vec::new());
+            return self.color(middle, &hits);
         }
         let part = |k: u32| (f64::from(k) + 0.5) / f64::from(SIDE);
         let place = |k: u32| [f64::from(pixel[0]) + part(k % SIDE), f64::from(pixel[1]) + part(k / SIDE)];
-        let places: Vec<_> = (0..SAMPLES).map(place).map(|place| (place, self.hits(place))).collect();
-        let textures = self.textures(&places);
-        let colors = places.iter().map(|(place, hits)| self.color(*place, hits, &textures));
+        let colors = (0..SAMPLES).map(place).map(|place| self.color(place, &self.hits(place)));
         colors.fold([0.0; 4], |sum, color| from_fn(|k| sum[k] + color[k])).map(|sum| sum / f64::from(SAMPLES))
     }
 
-    /// The mean of the texels of each face over the places of a pixel where it's visible.
-    fn textures(&self, places: &[([f64; 2], Vec<Nearest>)]) -> Textures {
-        let mut sums: Vec<(usize, Color, f64, bool)> = Vec::new();
-        for (place, hits) in places {
-            for hit in hits {
-                let before = sums.iter_mut().find(|(triangle, ..)| *triangle == hit.triangle);
-                let minified = before.as_ref().map(|(.., minified)| *minified);
-                let Some((color, minified)) = self.texels(hit, *place, minified) else { continue };
-                match before {
-                    Some((_, sum, count, _)) => (*sum, *count) = (from_fn(|k| sum[k] + color[k]), *count + 1.0),
-                    None => sums.push((hit.triangle, color, 1.0, minified)),
-                }
-            }
-        }
-        let mean = |(triangle, sum, count, minified): (usize, Color, f64, bool)| {
-            let mean = sum.map(|sum| sum / count);
-            (triangle, if minified { encoded(mean) } else { mean })
-        };
-        sums.into_iter().map(mean).collect()
-    }
-
-    /// The texels of a face at a place: their light if the texture is minified in the pixel, which the second value says
-    /// (the pixel's first place decides), else their colour. `None` if the face has no texture.
+    /// The texels of a face at a place: their mean, which is that of their light as in levels of detail, if a pixel is
+    /// larger than a texel, else their colour as the figure's own filter has it.
     ///
     /// The place is small, but many texels may lie under it. Then it's read at several points, and if those aren't enough
     /// either, at the level of detail whose texels are as large as their distance.
-    fn texels(&self, hit: &Nearest, [x, y]: [f64; 2], minified: Option<bool>) -> Option<(Color, bool)> {
-        let body = self.body(hit.triangle)?;
-        let ObjectPaint::Texture(pictured) = &body.object.paint else { return None };
+    fn texels(&self, body: &Body, pictured: &Pictured, hit: &Nearest, [x, y]: [f64; 2]) -> Option<Color> {
         let indices = body.object.mesh.triangles.get(hit.triangle - body.first)?.map(|i| i as usize);
         let corners = self.tiles.corners(hit.triangle)?;
         let uv = indices.map(|i| pictured.uv.get(i).map_or([0.0; 2], |uv| uv.map(f64::from)));
@@ -327,21 +299,18 @@ impl<'a> Rays<'a> {
         };
         let side = 1.0 / f64::from(SIDE);
         let texels = texels_between(pictured, at([x, y]), [at([x + side, y]), at([x, y + side])]);
-        let minified = minified.unwrap_or(texels > side);
-        if minified {
-            body.minified.store(1, Ordering::Relaxed);
+        if texels <= side {
+            return Some(textured(pictured, at([x, y]), 0.0, false));
         }
+        body.minified.store(1, Ordering::Relaxed);
         let fine = texels.ceil().clamp(1.0, f64::from(FINEST));
         let level = (texels / fine).log2().max(0.0);
         let part = |k: f64| ((k + 0.5) / fine - 0.5) * side;
-        let mut sum = [0.0; 4];
         let points = (0..FINEST * FINEST).map(|k| [f64::from(k % FINEST), f64::from(k / FINEST)]);
-        for [i, j] in points.filter(|[i, j]| *i < fine && *j < fine) {
-            let color = textured(pictured, at([x + part(i), y + part(j)]), level, minified);
-            let color = if minified { light(color) } else { color };
-            sum = from_fn(|k| sum[k] + color[k] / (fine * fine));
-        }
-        Some((sum, minified))
+        let points = points.filter(|[i, j]| *i < fine && *j < fine);
+        let colors = points.map(|[i, j]| light(textured(pictured, at([x + part(i), y + part(j)]), level, true)));
+        let sum = colors.fold([0.0; 4], |sum, color| from_fn(|k| sum[k] + color[k]));
+        Some(encoded(sum.map(|sum| sum / (fine * fine))))
     }
 
     /// True if a pixel without an edge shows one colour, but for light that changes smoothly: the same faces in the same
@@ -393,18 +362,18 @@ impl<'a> Rays<'a> {
     }
 
     /// The colours of faces, nearest first, over the ground.
-    fn color(&self, place: [f64; 2], hits: &[Nearest], textures: &Textures) -> Color {
+    fn color(&self, place: [f64; 2], hits: &[Nearest]) -> Color {
         let mut sum = [0.0; 4];
         let over = |sum: &mut Color, below: Color| *sum = from_fn(|k| sum[k] + (1.0 - sum[3] / 255.0) * below[k]);
         for hit in hits {
-            over(&mut sum, self.color_of(hit, place, textures).unwrap_or_default());
+            over(&mut sum, self.color_of(hit, place).unwrap_or_default());
         }
         over(&mut sum, self.ground);
         sum
     }
 
     /// The colour of a face at a place, in its light.
-    fn color_of(&self, hit: &Nearest, place: [f64; 2], textures: &Textures) -> Option<Color> {
+    fn color_of(&self, hit: &Nearest, place: [f64; 2]) -> Option<Color> {
         let body = self.body(hit.triangle)?;
         let Object { mesh, paint, lit, .. } = body.object;
         let number = hit.triangle - body.first;
@@ -418,10 +387,7 @@ impl<'a> Rays<'a> {
                 let colors = indices.map(|i| colors.get(i).copied().map_or([0.0; 4], premultiplied));
                 from_fn(|k| (0..3).map(|corner| shares[corner] * colors[corner][k]).sum())
             }
-            ObjectPaint::Texture(pictured) => {
-                let (_, mean) = textures.iter().find(|(triangle, _)| *triangle == hit.triangle)?;
-                tinted(*mean, pictured.tint)
-            }
+            ObjectPaint::Texture(pictured) => tinted(self.texels(body, pictured, hit, place)?, pictured.tint),
         };
         if !lit || self.lights.is_empty() {
             return Some(base);
