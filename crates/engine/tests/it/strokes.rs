@@ -1,5 +1,5 @@
-//! Strokes and marks, painted slowly: for each pixel, the distance to every piece of every stroke. The fast way gives the
-//! same picture, but for the rounding of each layer.
+//! Strokes and marks, painted slowly: for each pixel, the distance to every piece of every stroke. The fast way gives
+//! the same picture, but for the rounding of each layer.
 
 #![expect(clippy::cast_possible_truncation, reason = "small numbers, and bytes of random ones")]
 

@@ -5,13 +5,12 @@ use std::sync::{Arc, OnceLock};
 
 use super::pixels::image_frame;
 use super::words::values::done;
-use super::world::framing::Content;
 use super::{
     Ghost, Hover, Labels, Look, ObjectTransform, Picture, Probe, Projector, ShadowTruth, Shot, Size, TriangleOverlay,
     View,
 };
 use crate::camera::{Camera, Decomposition, Operation};
-use crate::figure::{Figure, Measured, Observer, ShownStep, WorldPart};
+use crate::figure::{Figure, Measured, Observer, ShownStep};
 use crate::geometry::Aabb;
 use crate::pipeline::Output;
 use crate::scene::Scene;
@@ -176,17 +175,6 @@ impl Request {
     /// The object whose parts are measured.
     pub fn measured_object(&self) -> Option<ObjectTransform> {
         self.hover.object.or(self.shot.measured_object)
-    }
-
-    /// False if the view window shows no image, so that none has to be drawn for it.
-    pub(crate) fn shows_image_on_window(&self) -> bool {
-        let look = &self.shot.look.world;
-        // The image on a window that's drawn narrower isn't to scale.
-        let is_to_scale = || Content::of(self).volume.narrowed == [1.0; 2];
-        self.view == View::World
-            && !look.section
-            && look.parts.has(WorldPart::Window)
-            && look.window_opacity.map_or_else(is_to_scale, |opacity| opacity > 0.0)
     }
 
     /// The image, without margins and legends, for the view window in the world. It's half as large as the picture,

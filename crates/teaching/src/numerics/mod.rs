@@ -206,9 +206,9 @@ impl Lab {
         if self.effort.seconds > 0.0 { TURNS } else { 1 }
     }
 
-    /// Measures methods in turns, so that whatever slows the machine slows them alike. `run` measures one, by its place,
-    /// and notes its errors in the first turn. Of several trials of a method the first is timed. Slow methods get fewer
-    /// turns. Pauses after each.
+    /// Measures methods in turns, so that whatever slows the machine slows them alike. `run` measures one, by its
+    /// place, and notes its errors in the first turn. Of several trials of a method the first is timed. Slow methods
+    /// get fewer turns. Pauses after each.
     async fn in_turns<const N: usize>(
         &self,
         methods: usize,

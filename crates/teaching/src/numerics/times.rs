@@ -43,8 +43,8 @@ impl Interval {
     }
 }
 
-/// The probability that the median of n draws from n numbers is at most the k-th of them: that half of the draws are. Of
-/// two medians, the lower one.
+/// The probability that the median of n draws from n numbers is at most the k-th of them: that half of the draws are.
+/// Of two medians, the lower one.
 fn median_within(n: usize, k: usize) -> f64 {
     if k >= n {
         return 1.0;
@@ -62,9 +62,9 @@ fn median_within(n: usize, k: usize) -> f64 {
     sum
 }
 
-/// For each row, whether it's on the front, and whether more rounds could change that. A row is on the front if no other
-/// one is at most as costly and has an interval of time wholly below its own. It's undecided if the gap that decides is
-/// less than a hundredth of its time.
+/// For each row, whether it's on the front, and whether more rounds could change that. A row is on the front if no
+/// other one is at most as costly and has an interval of time wholly below its own. It's undecided if the gap that
+/// decides is less than a hundredth of its time.
 pub fn decide<C>(rows: &[(C, Interval)], is_at_most: impl Fn(&C, &C) -> bool) -> Vec<(bool, bool)> {
     let verdict = |k: usize| {
         let (cost, time) = &rows[k];

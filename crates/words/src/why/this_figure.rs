@@ -213,7 +213,7 @@ pub fn with_words<T>(lang: Lang, scene: &SceneSpec, with: impl FnOnce(&ChartWord
     })
 }
 
-/// What the plan saves, a line for each stage that it leaves out.
+/// The savings of the plan, a line for each stage that it leaves out.
 pub fn savings(lang: Lang, savings: &[Saving]) -> String {
     if savings.is_empty() {
         return format!("{}\n", text!(lang, saved_nothing));

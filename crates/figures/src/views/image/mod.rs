@@ -94,7 +94,7 @@ struct Image<'a> {
     /// The part of the picture that the window fills.
     rect: PixelRect,
     target: Target,
-    /// What dividing before clipping makes of the scene.
+    /// The scene as dividing before clipping makes it.
     wrong: Option<Scene>,
     /// True if the scene has marks.
     has_marks: bool,

@@ -27,7 +27,7 @@ use crate::scene::{Line, Mesh, Object, ObjectPaint, Pictured, Scene};
 
 use super::pixels::PixelRect;
 use super::timed_pipeline::TimedPipeline;
-use super::{Handle, Palette, Request};
+use super::{Handle, Palette, Request, View};
 use crate::views::image::{light_view, vanishing};
 use crate::views::interact::{handles, hits, transform_gizmo};
 use crate::views::reveal::revealed_scene::PipelineReveal;
@@ -39,6 +39,19 @@ use crate::views::world::camera_gizmo::GizmoSizes;
 use crate::views::world::framing::Content;
 use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE, TYPE};
 use crate::views::world::world_framing::{screen_of, seen_from};
+
+impl Request {
+    /// False if the view window shows no image, so that none has to be drawn for it.
+    pub(crate) fn shows_image_on_window(&self) -> bool {
+        let look = &self.shot.look.world;
+        // The image on a window that's drawn narrower isn't to scale.
+        let is_to_scale = || Content::of(self).volume.narrowed == [1.0; 2];
+        self.view == View::World
+            && !look.section
+            && look.parts.has(WorldPart::Window)
+            && look.window_opacity.map_or_else(is_to_scale, |opacity| opacity > 0.0)
+    }
+}
 
 /// Draws the world with `on_window` as the image on the view window. An observer that isn't a camera sees nothing.
 pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
@@ -117,7 +130,7 @@ const LAYERS_OF_SECTION: [&[Layer]; 3] = [
     &[|w| light_view::in_world(&mut w.builder, w.request, w.palette)],
 ];
 
-/// What a change shows of itself, before it's made and after it.
+/// The marks of a change, before it's made and after it.
 const CHANGES: [Layer; 4] = [
     |w| w.hot_handle(),
     |w| ghost::in_world(&mut w.builder, w.request, w.palette, w.gear),

@@ -84,7 +84,7 @@ pub enum WhyNot {
     Plan(Reason),
     /// Flat shading and wireframe are looks, not approximations.
     Look,
-    /// What a preset brings has no key.
+    /// The objects and lights of a preset have no key.
     Preset,
     /// The texture is nowhere smaller than a pixel, and its filter there is a look.
     Magnified,

@@ -287,8 +287,8 @@ impl<'a> Rays<'a> {
     /// The texels of a face at a place: their mean, which is that of their light as in levels of detail, if a pixel is
     /// larger than a texel, else their colour as the figure's own filter has it.
     ///
-    /// The place is small, but many texels may lie under it. Then it's read at several points, and if those aren't enough
-    /// either, at the level of detail whose texels are as large as their distance.
+    /// The place is small, but many texels may lie under it. Then it's read at several points, and if those aren't
+    /// enough either, at the level of detail whose texels are as large as their distance.
     fn texels(&self, body: &Body, pictured: &Pictured, hit: &Nearest, [x, y]: [f64; 2]) -> Option<Color> {
         let indices = body.object.mesh.triangles.get(hit.triangle - body.first)?.map(|i| i as usize);
         let corners = self.tiles.corners(hit.triangle)?;
@@ -313,8 +313,8 @@ impl<'a> Rays<'a> {
         Some(encoded(sum.map(|sum| sum / (fine * fine))))
     }
 
-    /// True if a pixel without an edge shows one colour, but for light that changes smoothly: the same faces in the same
-    /// order at its corners, none with a texture, and each corner in the light of the same lights.
+    /// True if a pixel without an edge shows one colour, but for light that changes smoothly: the same faces in the
+    /// same order at its corners, none with a texture, and each corner in the light of the same lights.
     fn is_even(&self, [i, j]: [u32; 2], hits: &[Nearest]) -> bool {
         if hits
             .iter()

@@ -6,7 +6,8 @@
 //!
 //! Up to [`ALL_TRIED`] combinations are all tried. Above that, values that can't be part of an answer are dropped, in
 //! groups of keys that interact: first those that others beat and that are worse than the best by more than the
-//! tolerance, then all that others beat. Then the two smallest groups become one. Errors and bytes decide, never a clock.
+//! tolerance, then all that others beat. Then the two smallest groups become one. Errors and bytes decide, never a
+//! clock.
 
 mod chart;
 mod choices;

@@ -1,4 +1,4 @@
-//! What the plan saves: the time that each stage it leaves out would have cost this frame.
+//! The savings of the plan: the time that each stage it leaves out would have cost this frame.
 
 use std::time::Duration;
 
