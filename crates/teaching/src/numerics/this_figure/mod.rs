@@ -1,10 +1,10 @@
 //! Error, time and memory of the figure at hand: which of the ways to draw it is the cheapest whose image can't be told
 //! from the exact one?
 //!
-//! The [choices] are the keys that this scene doesn't make irrelevant. Each combination is drawn and compared with the
-//! [exact image](exact_image). All are timed in turns, so that whatever slows the machine slows them alike.
+//! The choices are the keys that this scene doesn't make irrelevant. Each combination is drawn and compared with the
+//! exact image. All are timed in turns, so that whatever slows the machine slows them alike.
 //!
-//! Up to [`ALL_TRIED`] combinations are all tried. Above that, values that can't be part of an answer are dropped, in
+//! Up to 64 combinations are all tried. Above that, values that can't be part of an answer are dropped, in
 //! groups of keys that interact: first those that others beat and that are worse than the best by more than the
 //! tolerance, then all that others beat. Then the two smallest groups become one. Errors and bytes decide, never a
 //! clock.
