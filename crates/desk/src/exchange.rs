@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::action::Action;
 use crate::figure::{Observers, TransformPreview};
 use crate::layout::ObserverChange;
+use crate::numerics::this_figure::VISIBLE;
 use crate::picture::Pixels;
 use crate::shown::{OpenPanels, PanelHover};
 use crate::views::{Probe, View};
@@ -97,15 +98,12 @@ pub struct MethodImage {
 }
 
 impl MethodImage {
-    /// A channel that differs by more than this, of 255, makes its pixel differ.
-    const VISIBLE: u8 = 4;
-
     /// Tints the pixels that differ. `None` if the images have different sizes.
     pub fn new(exact: &Pixels, drawn: &Pixels, tint: [u8; 3]) -> Option<Self> {
         let size = [drawn.width(), drawn.height()];
         let mut bytes = drawn.rgba().to_vec();
         for (pixel, exact) in bytes.chunks_exact_mut(4).zip(exact.rgba().chunks_exact(4)) {
-            if pixel.iter().zip(exact).any(|(a, b)| a.abs_diff(*b) > Self::VISIBLE) {
+            if pixel.iter().zip(exact).any(|(a, b)| a.abs_diff(*b) > VISIBLE) {
                 pixel[..3].copy_from_slice(&tint);
             }
         }

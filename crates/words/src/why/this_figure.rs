@@ -127,7 +127,9 @@ pub fn answers(lang: Lang, scene: &SceneSpec, study: &Study) -> Vec<String> {
         lines.push(text!(lang, cheapest_is, way = way(lang, scene, study, cheapest), share));
     }
     let [best, this] = [study.best(), cheapest.cost.different].map(|share| percent(lang, share));
-    lines.push(text!(lang, best_is, best, this));
+    if best != this {
+        lines.push(text!(lang, best_is, best, this));
+    }
     if study.best() > MANY {
         lines.push(text!(lang, all_differ).to_owned());
     }

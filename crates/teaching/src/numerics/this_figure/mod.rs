@@ -38,7 +38,7 @@ pub use savings::{Saving, savings};
 /// Up to this many combinations are all tried.
 const ALL_TRIED: usize = 64;
 /// A channel that differs by more than this, of 255, makes its pixel differ.
-const VISIBLE: u8 = 4;
+pub const VISIBLE: u8 = 4;
 /// A combination whose share of differing pixels is at most this above the best one's can't be told from it.
 pub const WITHIN: f64 = 0.001;
 /// Seconds for timing.
@@ -398,14 +398,15 @@ fn distinct(all: Vec<Combination>) -> Vec<Combination> {
 }
 
 impl Study {
-    /// Times all ways in turns. Each round begins with another one.
+    /// Times all ways in turns. Each round begins with another one, and every second one goes backwards, so that no way
+    /// always follows the same one.
     async fn time(&mut self, effort: Effort, progress: &Progress, partial: impl Fn(&Self)) -> Result<(), NoExactImage> {
         let (mut renderer, mut pixels) = (Renderer::default(), Pixels::default());
         let end = clock::now() + std::time::Duration::try_from_secs_f64(effort.seconds).unwrap_or_default();
         for round in 0..MOST_ROUNDS {
             progress.begin(Activity::Measuring, self.ways.len());
             for k in 0..self.ways.len() {
-                let k = (k + round) % self.ways.len();
+                let k = turn(k, round, self.ways.len());
                 let start = clock::now();
                 renderer.forget();
                 renderer.pixels_into(&self.requests[k], &mut pixels).await.ok_or(NoExactImage::Memory)?;
@@ -436,6 +437,12 @@ impl Study {
         let fastest = good.min_by(|(_, a), (_, b)| a.ms.median.total_cmp(&b.ms.median));
         self.cheapest = fastest.map_or(self.yours, |(k, _)| k);
     }
+}
+
+/// The k-th of some things in a round: each round begins with another one, and every second one goes backwards.
+const fn turn(k: usize, round: usize, count: usize) -> usize {
+    let k = (k + round / 2) % count;
+    if round.is_multiple_of(2) { k } else { count - 1 - k }
 }
 
 /// The share of pixels that differ visibly, and the root mean square of the differences in linear light.

@@ -36,7 +36,7 @@ pub async fn savings(request: &Request, left_out: &[Stage], seconds: f64, progre
     let end = clock::now() + Duration::try_from_secs_f64(seconds).unwrap_or_default();
     for round in 0..WARM_UP + ROUNDS[1] {
         for k in 0..requests.len() {
-            let k = (k + round) % requests.len();
+            let k = super::turn(k, round, requests.len());
             let start = clock::now();
             renderer.forget();
             renderer.pixels_into(&requests[k], &mut pictures[k]).await?;
