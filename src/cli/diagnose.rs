@@ -13,7 +13,7 @@ use crate::camera::{Camera, CameraError};
 use crate::cli::args::words::{TableFormat, written};
 use crate::figure::Figure;
 use crate::numerics::diagnosis::{
-    Diagnosis, Finding, ImageSpec, ImpossibleCamera, Repair, Value, WrongPixels, diagnose, impossible_camera,
+    Cause, Diagnosis, Finding, ImageSpec, ImpossibleCamera, Repair, Value, WrongPixels, diagnose, impossible_camera,
 };
 use crate::numerics::health::{Health, health};
 use crate::progress::at_once;
@@ -49,6 +49,9 @@ struct FindingLine {
     wrong_pixels: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     wrong_share: Option<f64>,
+    /// Faces that `vertex-rounding` leaves out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    infinite_faces: Option<usize>,
 }
 
 /// Keys and their new values, in order.
@@ -153,6 +156,7 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
         repair: finding.repair.as_ref().map(changes),
         wrong_pixels: finding.pixels.map(|pixels| pixels.wrong),
         wrong_share: finding.pixels.map(WrongPixels::share),
+        infinite_faces: (finding.cause == Cause::VertexRounding).then_some(diagnosis.infinite_faces),
     };
     let aside = coach::texts(written).on_the_other_side;
     let on_the_other_side = other_side.iter().map(|f| {

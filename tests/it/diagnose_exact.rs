@@ -62,6 +62,41 @@ fn is_found_and_repaired(bench: &Bench, text: &str, code: &str, share: std::ops:
     answer
 }
 
+/// A ball far to the right, seen from nearby.
+fn far_ball(style: &str, at: f64) -> String {
+    format!(
+        "[camera]\nposition = [{}, 2, 6]\nfocal_point = [{at}, 0, 0]\n[image]\nwidth = 160\nheight = 120\n[style]\n{style}\n[[scene.objects]]\nname = \"ball\"\nshape = \"sphere\"\ntranslate = [{at}, 0, 0]\n",
+        at + 1.0
+    )
+}
+
+#[test]
+fn vertices_of_other_machines_are_a_finding() {
+    let bench = Bench::new("diagnose-vertices");
+    for (style, at, share) in [
+        ("vertex_format = \"f32\"", 1e7, 0.01..0.9),
+        ("vertex_format = \"f16\"", 300.0, 0.01..0.9),
+        ("vertex_format = \"bf16\"", 3.0, 0.01..0.9),
+        ("subpixel_bits = 4", 0.0, 1e-4..0.05),
+    ] {
+        let answer = is_found_and_repaired(&bench, &far_ball(style, at), "vertex-rounding", share);
+        let key = style.split(' ').next().unwrap();
+        let repaired: Vec<&String> = answer["findings"][0]["repair"].as_object().unwrap().keys().collect();
+        assert_eq!(repaired, [key]);
+        assert_eq!(answer["findings"][0]["infinite_faces"], 0);
+    }
+    // In f16 all vertices are infinite there: every face is left out, and every pixel of the ball is wrong.
+    bench.write("f.toml", far_ball("vertex_format = \"f16\"", 1e5));
+    let answer = diagnosed(&bench, "f.toml");
+    assert_eq!(codes(&answer), [("vertex-rounding".to_owned(), Some(1.0))]);
+    assert!(answer["findings"][0]["infinite_faces"].as_u64().unwrap() > 100, "{answer}");
+    // Nothing is wrong in the formats that are enough.
+    for style in ["vertex_format = \"f64\"", "subpixel_bits = 8"] {
+        bench.write("f.toml", far_ball(style, 0.0));
+        assert_eq!(codes(&diagnosed(&bench, "f.toml")), [], "{style}");
+    }
+}
+
 #[test]
 fn an_order_of_painting_that_is_wrong_is_a_finding() {
     let bench = Bench::new("diagnose-order");

@@ -86,6 +86,8 @@ const FLAT: Style = Style {
     antialias: Samples::One,
     theme: Theme::Light,
     depth_format: camera_lab::appearance::DepthFormat::Float,
+    vertex_format: camera_lab::appearance::VertexFormat::F64,
+    subpixel_bits: camera_lab::appearance::SubpixelBits::Eight,
 };
 
 fn target(size: ImageSize) -> Target {

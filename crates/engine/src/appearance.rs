@@ -235,6 +235,74 @@ impl fmt::Display for Samples {
     }
 }
 
+/// The format of the numbers in which vertices go through the pipeline (`[style] vertex_format`). All but `f64` imitate
+/// other machines: each position is rounded to the format in the world, in view space, and in clip space.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum VertexFormat {
+    /// Double precision, the program's own.
+    #[default]
+    F64,
+    /// Single precision, as in the vertex stage of a graphics card.
+    F32,
+    /// Half precision, IEEE 754 `binary16`: 11 bits, up to 65504.
+    F16,
+    /// `bfloat16`: 8 bits, with the range of single precision.
+    Bf16,
+    /// Fixed point: 16 bits before the point and 16 behind it, saturated at ±32768.
+    Fixed16,
+}
+
+impl VertexFormat {
+    /// The nearest number of the format. Of two, the one whose last bit is 0. Beyond the range of a float it's infinite.
+    pub fn round(self, x: f64) -> f64 {
+        // A float with this many bits, the exponent below which its steps grow no finer, and its greatest number.
+        let float = |bits: i32, least: i32, greatest: f64| {
+            let exponent = (x.to_bits() >> 52 & 0x7ff) as i32 - 1023;
+            let step = 2_f64.powi(exponent.max(least) - (bits - 1));
+            let rounded = (x / step).round_ties_even() * step;
+            if rounded.abs() > greatest { f64::INFINITY.copysign(x) } else { rounded }
+        };
+        match self {
+            Self::F64 => x,
+            Self::F32 => float(24, -126, f32::MAX.into()),
+            Self::F16 => float(11, -14, 65_504.0),
+            Self::Bf16 => float(8, -126, 255.0 * 2_f64.powi(120)),
+            Self::Fixed16 => (x * 65_536.0).round_ties_even().clamp(-2_147_483_648.0, 2_147_483_647.0) / 65_536.0,
+        }
+    }
+}
+
+/// The grid of a pixel on which corners of faces lie (`[style] subpixel_bits`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum SubpixelBits {
+    /// 16 steps, as in many phones.
+    Four,
+    /// 256 steps: the program's own, and most cards'.
+    #[default]
+    Eight,
+    /// 4096 steps.
+    Twelve,
+}
+
+impl SubpixelBits {
+    /// All, the coarsest first.
+    pub const ALL: [Self; 3] = [Self::Four, Self::Eight, Self::Twelve];
+
+    /// The number: 4, 8 or 12.
+    pub const fn count(self) -> u8 {
+        match self {
+            Self::Four => 4,
+            Self::Eight => 8,
+            Self::Twelve => 12,
+        }
+    }
+
+    /// Steps per pixel.
+    pub fn steps(self) -> f64 {
+        f64::from(1_u16 << self.count())
+    }
+}
+
 /// The `[style]` section of a figure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Style {
@@ -250,6 +318,18 @@ pub struct Style {
     pub theme: Theme,
     /// The format in which the image stores depths.
     pub depth_format: DepthFormat,
+    /// The format of the numbers of vertices.
+    pub vertex_format: VertexFormat,
+    /// The grid on which corners of faces lie.
+    pub subpixel_bits: SubpixelBits,
+}
+
+impl Style {
+    /// This style with vertices as the program computes them.
+    #[must_use]
+    pub fn with_exact_vertices(self) -> Self {
+        Self { vertex_format: VertexFormat::default(), subpixel_bits: SubpixelBits::default(), ..self }
+    }
 }
 
 /// The pattern of a stroke. Lengths are multiples of the stroke's width.
@@ -406,6 +486,38 @@ pub enum MarkShape {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Values from IEEE 754 `binary16`, from `bfloat16`, and by hand.
+    #[test]
+    fn formats_round_to_the_nearest_and_to_even() {
+        let infinity = f64::INFINITY;
+        for (format, x, rounded) in [
+            (VertexFormat::F16, 1.0 / 3.0, 0.333_251_953_125),
+            (VertexFormat::F16, -65_519.0, -65_504.0),
+            (VertexFormat::F16, 65_520.0, infinity),
+            (VertexFormat::F16, 2049.0, 2048.0),
+            (VertexFormat::F16, 2051.0, 2052.0),
+            (VertexFormat::F16, 2_f64.powi(-25), 0.0),
+            (VertexFormat::F16, 1.5 * 2_f64.powi(-24), 2_f64.powi(-23)),
+            (VertexFormat::Bf16, 1.0 / 3.0, 0.333_984_375),
+            (VertexFormat::Bf16, 257.0, 256.0),
+            (VertexFormat::Bf16, 3.4e38, infinity),
+            (VertexFormat::F32, 16_777_217.0, 16_777_216.0),
+            (VertexFormat::F32, -1e39, -infinity),
+            (VertexFormat::Fixed16, 1.0 / 3.0, 21_845.0 / 65_536.0),
+            (VertexFormat::Fixed16, 40_000.0, 32_768.0 - 1.0 / 65_536.0),
+            (VertexFormat::Fixed16, -1e300, -32_768.0),
+            (VertexFormat::F64, 0.1, 0.1),
+            (VertexFormat::F16, -infinity, -infinity),
+        ] {
+            assert_eq!(format.round(x), rounded, "{x} in {format:?}");
+        }
+        for x in (0..2000).map(|k| (f64::from(k) * 0.37).sin() * 10_f64.powi(k % 90 - 45)) {
+            #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
+            let single = f64::from(x as f32);
+            assert_eq!(VertexFormat::F32.round(x), single, "{x}");
+        }
+    }
 
     #[test]
     fn contrast_is_that_of_wcag() {

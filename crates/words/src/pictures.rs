@@ -53,6 +53,8 @@ const fn of(t: &Texts) -> Labels {
         visibilities: [style.visibility_depth_buffer, style.visibility_painter, style.visibility_bsp],
         hidden_lines: [t.hidden_dashed, t.hidden_hidden, t.hidden_shown],
         depth_formats: [t.fixed_16, t.fixed_24, t.float],
+        vertices_in: t.vertices_in,
+        subpixel_bits: t.subpixel_bits,
         projections: [t.perspective, t.parallel],
         stages: stages(t.lang),
         steps: [

@@ -116,6 +116,8 @@ const HOMES: &[Home] = &[
     ("style.visibility", |_| SearchTarget::Explanation(Explanation::HiddenSurfaces)),
     ("style.hidden_lines", |t| SearchTarget::Parameter(Tab::Drawing, t.hidden_lines)),
     ("style.antialias", |t| SearchTarget::Parameter(Tab::Drawing, t.antialias)),
+    ("style.vertex_format", |t| SearchTarget::Parameter(Tab::Drawing, t.vertex_format)),
+    ("style.subpixel_bits", |t| SearchTarget::Parameter(Tab::Drawing, t.subpixel_bits)),
     ("style.theme", |t| SearchTarget::Parameter(Tab::Drawing, t.file_theme)),
     ("style.depth_format", |_| SearchTarget::Explanation(Explanation::Depth)),
     ("reveal.depth", |_| SearchTarget::Explanation(Explanation::Depth)),

@@ -99,6 +99,7 @@ fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
             (words.projection, "camera.projection", ["parallel", "perspective"], false),
             (words.convention, "show.ndc", ["opengl", "direct3d"], false),
             (words.depth, "style.depth_format", ["fixed-16", "f32-reversed"], false),
+            (words.vertices, "style.vertex_format", ["f16", "f64"], true),
         ] {
             if toggle(ui, is_of(key, pair[0]), name).clicked() {
                 let mut figure = in_window(model);

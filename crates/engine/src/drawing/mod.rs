@@ -45,6 +45,8 @@ pub struct Drawing {
     pub painted_in_order: bool,
     /// The format in which the depths of surfaces are stored and compared.
     pub depth_format: DepthFormat,
+    /// Corners of faces lie on a finer grid than 1/256 of a pixel.
+    pub fine_grid: bool,
     /// Faces.
     pub surfaces: Vec<Surface>,
     /// Lines.
@@ -67,6 +69,7 @@ impl Drawing {
             antialias: Samples::One,
             painted_in_order: false,
             depth_format: DepthFormat::default(),
+            fine_grid: false,
             surfaces: Vec::new(),
             strokes: Vec::new(),
             areas: Vec::new(),

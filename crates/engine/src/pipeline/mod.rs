@@ -53,7 +53,7 @@ mod order {
     pub mod stroke_runs;
 }
 
-use crate::appearance::{Rgba, Samples, Shading, Style, Visibility};
+use crate::appearance::{Rgba, Samples, Shading, Style, SubpixelBits, VertexFormat, Visibility};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
@@ -68,6 +68,7 @@ pub use plan::{Containment, FacesDone, ObjectReport, Options, Output, Plan, Reas
 use report::Meter;
 use report::recorder::Recorder;
 use report::rounding_check::Misplaced;
+pub use report::rounding_check::infinite_faces;
 pub use report::work::{ObjectWork, StageWork, VertexWork};
 pub use report::{FollowedTriangle, Frame, StageReport, operations};
 pub use scenes::Scenes;
@@ -153,13 +154,16 @@ impl Pipeline {
         style: &Style,
         options: Options,
     ) -> Frame {
-        let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
+        let (scenes, meter) = (scenes.into(), Meter::new(options));
+        let screen = Screen { steps: style.subpixel_bits.steps(), ..Screen::new(target) };
         let mut projector = Projector::new(camera);
+        projector.format = style.vertex_format;
 
         // The objects that may be in view, how their depths are stored, and which stages are needed.
         let extents = cull_objects(scenes, &projector, &mut self.bounds);
         let in_view = extents.iter().fold(InView::NOTHING, |all, extent| all.and(extent.in_view));
-        if !options.depth_of_volume {
+        // The depths of a narrow format are z_r/w_r.
+        if !options.depth_of_volume && style.vertex_format == VertexFormat::F64 {
             let in_view = in_view.and(lines::in_view(scenes, &projector));
             projector.depths = projector.depths.resolving(in_view);
         }
@@ -222,6 +226,7 @@ impl Pipeline {
             // Without faces any order is right.
             painted_in_order: ordered.given_up.is_none()
                 && (plan.order != Visibility::DepthBuffer || options.output == Output::Vectors),
+            fine_grid: style.subpixel_bits == SubpixelBits::Twelve,
             surfaces: ordered.surfaces,
             strokes: strokes.sets,
             marks,

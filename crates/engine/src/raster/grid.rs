@@ -67,6 +67,19 @@ pub(super) fn in_pixels(steps: i32) -> f32 {
     steps as f32 / STEPS as f32
 }
 
+/// Steps of the textbook's grid in a step of this one: it has room for corners with 12 bits behind the point.
+/// Everything it computes is scaled by a power of two, so corners on the coarser grid give the same bits.
+pub(super) const FINER: i32 = 16;
+
+/// A position on the textbook's grid, rounded to a step of that if it's `fine`, else to one of this grid. `None` if it's
+/// out of reach, or not a number.
+#[expect(clippy::cast_possible_truncation, reason = "within reach")]
+pub(super) fn snapped_finely(p: [f32; 3], fine: bool) -> Option<[i32; 2]> {
+    let snapped = snapped(p)?;
+    let finely = |v: f32| (f64::from(v) * f64::from(FINER * STEPS)).round_ties_even() as i32;
+    Some(if fine { [p[0], p[1]].map(finely) } else { snapped.map(|v| FINER * v) })
+}
+
 /// Threshold for the terms of a gradient (steps of 255 per pixel): above it the triangle is a sliver, and the gradient
 /// mostly rounding. Below it, and less than a hundred pixels away, the error of a channel is far below half a step.
 pub(super) const STEEPEST: f32 = 4096.0;

@@ -29,7 +29,7 @@ use std::array::from_fn;
 
 use tiny_skia::Pixmap;
 
-use super::grid::{HALF, STEPS, in_pixels, samples};
+use super::grid::{FINER, in_pixels, samples};
 use super::new_pixmap;
 use super::pixel::premultiply;
 use crate::appearance::{DepthFormat, Filter, Level};
@@ -37,7 +37,7 @@ use crate::drawing::{Base, Drawing, Shadow, Surface};
 use colors::color_at;
 use lamp::{MapPoint, under};
 use texels::{between, detail, near_zero, texels};
-use triangle::Triangle;
+use triangle::{STEPS, Triangle};
 
 /// A picture and the depths of its surfaces.
 #[derive(Clone, Debug)]
@@ -73,7 +73,7 @@ pub fn paint(drawing: &Drawing) -> Option<Painted> {
     let color = premultiply(drawing.background).to_le_bytes();
     let mut samples = vec![Sample { color, depth: f32::NEG_INFINITY, slope: [0.0; 2] }; pixels * count];
     for (surface, number) in painting_order(drawing) {
-        let Some(triangle) = Triangle::new(surface, number, count) else { continue };
+        let Some(triangle) = Triangle::new(surface, number, count, drawing.fine_grid) else { continue };
         for [x, y] in triangle.pixels([drawing.width, drawing.height]) {
             let first = (y as usize * drawing.width as usize + x as usize) * count;
             let pixel = &mut samples[first..first + count];
@@ -133,7 +133,7 @@ fn painting_order(drawing: &Drawing) -> Vec<(&Surface, usize)> {
 /// horizontal. All numbers are whole, so no sample is lost or painted twice. `[3]` §1.1, step 6
 fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize> {
     let is_inside = |place: [i32; 2]| {
-        let p = [0, 1].map(|k| i64::from(pixel[k] * STEPS + HALF + place[k]));
+        let p = [0, 1].map(|k| i64::from(pixel[k] * STEPS + STEPS / 2 + FINER * place[k]));
         triangle.edges().into_iter().all(|[a, b]| {
             let (right, down) = (b[0] - a[0], b[1] - a[1]);
             let e = right * (p[1] - a[1]) - down * (p[0] - a[0]);

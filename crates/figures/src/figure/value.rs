@@ -5,7 +5,7 @@ use toml_edit::{Array, InlineTable, Item, TableLike, Value};
 
 use super::Localized;
 use super::error::Allowed;
-use crate::appearance::{Rgba, Samples};
+use crate::appearance::{Rgba, Samples, SubpixelBits};
 use crate::expression::{self, Dimension, ExpressionError};
 use crate::{numbers, sanitize};
 
@@ -67,6 +67,16 @@ pub static SAMPLES: Values<Samples> = values(
         count.ok_or(Refused::Value)
     },
     |samples| i64::from(samples.count()).into(),
+);
+
+/// The grid of a pixel.
+pub static SUBPIXEL_BITS: Values<SubpixelBits> = values(
+    Allowed::Integers(&[4, 8, 12]),
+    |v, _| {
+        let is = |bits: &SubpixelBits| v.as_integer() == Some(bits.count().into());
+        SubpixelBits::ALL.into_iter().find(is).ok_or(Refused::Value)
+    },
+    |bits| i64::from(bits.count()).into(),
 );
 
 /// `true` or `false`.

@@ -4,7 +4,7 @@ use super::{
     Arrangement, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix, ShadowReveal,
     StagePicture, TriangleStep, View, WindowSide,
 };
-use crate::appearance::{DepthFormat, HiddenLines, Shading, TextureReveal, Theme, Visibility};
+use crate::appearance::{DepthFormat, HiddenLines, Shading, TextureReveal, Theme, VertexFormat, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection, SensorFit};
 use crate::scene::{LightKind, Preset, Shape};
 use crate::stage::Stage;
@@ -45,6 +45,15 @@ pub const THEMES: Words<Theme> = &[("light", Theme::Light), ("dark", Theme::Dark
 /// `[style] depth_format`
 pub const DEPTH_FORMATS: Words<DepthFormat> =
     &[("fixed-16", DepthFormat::Fixed16), ("fixed-24", DepthFormat::Fixed24), ("f32-reversed", DepthFormat::Float)];
+
+/// `[style] vertex_format`
+pub const VERTEX_FORMATS: Words<VertexFormat> = &[
+    ("f64", VertexFormat::F64),
+    ("f32", VertexFormat::F32),
+    ("f16", VertexFormat::F16),
+    ("bf16", VertexFormat::Bf16),
+    ("fixed-16.16", VertexFormat::Fixed16),
+];
 
 /// `[reveal] depth`, besides `true` and `false`
 pub const DEPTHS: Words<Depth> = &[("linear", Depth::Linear)];

@@ -64,6 +64,7 @@ pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: 
         antialias: Samples::One,
         theme: Theme::Light,
         depth_format: DepthFormat::Float,
+        ..Style::default()
     };
     let target = Target { width: image.width, height: image.height, scale: 1.0, background: black };
     let mut drawing = pipeline.frame(scene, camera, target, &style, Options::default()).drawing;

@@ -153,7 +153,7 @@ impl Shot {
         let mut look = Look { reveal: self.revealed_in(view), ..self.look };
         if view == View::Canonical {
             // Depths are stored for the image, which the world shows on the window, with its photograph.
-            look.style.depth_format = DepthFormat::default();
+            look.style = Style { depth_format: DepthFormat::default(), ..look.style.with_exact_vertices() };
             look.photograph_opacity = 0.0;
         }
         let show = match view {

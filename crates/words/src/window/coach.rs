@@ -137,7 +137,12 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
     }
     if let Some(pixels) = finding.pixels {
         let names: Vec<String> = finding.objects().map(|name| object_name(lang, name, scene)).collect();
-        let sentence = wrong_pixels(lang, finding.cause, pixels);
+        let mut sentence = wrong_pixels(lang, finding.cause, pixels);
+        if finding.cause == Cause::VertexRounding && diagnosis.infinite_faces > 0 {
+            let [one, many] = text!(lang, infinite_faces);
+            let faces = diagnosis.infinite_faces;
+            sentence += &format!(" {faces} {}", if faces == 1 { one } else { many });
+        }
         return if names.is_empty() { sentence } else { format!("{}: {sentence}", listed(lang, &names)) };
     }
     match finding.cause {
@@ -202,6 +207,7 @@ fn wrong_pixels(lang: Lang, cause: Cause, pixels: WrongPixels) -> String {
         Cause::ShadowAcne => text!(lang, wrong_pixels_shadow_acne, count),
         Cause::ShadowDetached => text!(lang, wrong_pixels_shadow_detached, count),
         Cause::AffineTexture => text!(lang, wrong_pixels_affine_texture, count),
+        Cause::VertexRounding => text!(lang, wrong_pixels_vertex_rounding, count),
         _ => text!(lang, wrong_pixels_z_fighting, count),
     }
 }

@@ -7,14 +7,15 @@
 
 use rayon::prelude::*;
 
+use crate::appearance::VertexFormat;
 use crate::camera::Camera;
 use crate::pipeline::budget::MisplacedVertex;
 use crate::pipeline::space::depths::InView;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::space::{ObjectPoint, Screen, outcode};
+use crate::pipeline::space::{NOT_A_NUMBER, ObjectPoint, Screen, outcode};
 use crate::pipeline::stage::vertex::{clip_from_view, divide, snap, view_point, viewport};
 use crate::pipeline::stage::vertices::Vertices;
-use crate::scene::Object;
+use crate::scene::{Object, Scene};
 
 /// Tolerance in pixels. A quarter can't be seen.
 const ALLOWED: f64 = 0.25;
@@ -37,7 +38,8 @@ impl<'a> Misplaced<'a> {
     pub(crate) fn look_at(&mut self, object: &Object, vertices: &Vertices) {
         let Vertices { projector, view_from_object, .. } = *vertices;
         let summands = self.in_view.magnitude + view_from_object.rest;
-        if within(self.bound(projector, summands, self.in_view.nearest)) {
+        // In other formats they're misplaced on purpose.
+        if projector.format != VertexFormat::F64 || within(self.bound(projector, summands, self.in_view.nearest)) {
             return;
         }
         let off = |(i, &p): (usize, &glam::DVec3)| {
@@ -48,7 +50,7 @@ impl<'a> Misplaced<'a> {
                 return None;
             }
             let exact = self.camera.exact_ndc(&object.world_from_object, p)?;
-            let [x, y, _] = snap(viewport(self.screen, divide(&projector.depths, clip)));
+            let [x, y, _] = snap(self.screen, viewport(self.screen, divide(&projector.depths, clip)));
             let off = self.screen.pixels(exact).distance(glam::DVec2::new(x.into(), y.into()));
             (!within(off)).then_some((off, i))
         };
@@ -81,6 +83,21 @@ impl<'a> Misplaced<'a> {
         self.found.sort_by(|a, b| b.off.total_cmp(&a.off));
         self.found
     }
+}
+
+/// The number of faces that a format leaves out of the image, because a coordinate of a vertex isn't finite in it.
+pub fn infinite_faces(scene: &Scene, camera: &Camera, format: VertexFormat) -> usize {
+    let mut projector = Projector::new(camera);
+    projector.format = format;
+    let projector = &projector;
+    let of_object = |object: &Object| {
+        let view_from_object = &projector.view_from_object(object.world_from_object);
+        let vertices = Vertices { projector, view_from_object, positions: &object.mesh.positions };
+        let is_infinite = |i: &u32| outcode(projector, vertices.clip_point(*i)) & NOT_A_NUMBER != 0;
+        object.mesh.triangles.iter().filter(|corners| corners.iter().any(is_infinite)).count()
+    };
+    let is_drawn = |object: &&Object| object.faces && format != VertexFormat::F64;
+    scene.objects.iter().filter(is_drawn).map(of_object).sum()
 }
 
 /// True if an offset is within the tolerance. False for NaN.
@@ -160,7 +177,7 @@ mod tests {
             let misplaced = Misplaced::new(&camera, &screen, InView::NOTHING);
             let bound = misplaced.bound(&projector, view_from_object.magnitude(p) + view_from_object.rest, clip.w);
             if outcode(&projector, clip) == 0 && let Some(exact) = camera.exact_ndc(&world_from_object, p) {
-                let [x, y, _] = snap(viewport(&screen, divide(&projector.depths, clip)));
+                let [x, y, _] = snap(&screen, viewport(&screen, divide(&projector.depths, clip)));
                 let off = screen.pixels(exact).distance(DVec2::new(x.into(), y.into()));
                 prop_assert!(off <= bound, "{off} > {bound}");
             }

@@ -133,7 +133,7 @@ pub fn one_triangle(object: &Object, triangle: usize, camera: &Camera, target: T
         };
         let reached = polygon.iter().zip(names).map(|(corner, name)| {
             let p = corner.point;
-            let [x, y, _] = snap(viewport(&screen, divide(&projector.depths, p)));
+            let [x, y, _] = snap(&screen, viewport(&screen, divide(&projector.depths, p)));
             let clip = DVec2::new(p.x, p.y);
             CornerLeft { name, world: world(corner.weights), clip, w: p.w, ndc: clip / p.w, image: [x, y] }
         });

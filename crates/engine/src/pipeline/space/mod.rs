@@ -14,6 +14,7 @@ pub(crate) mod projector;
 use glam::{DVec2, DVec3};
 
 use super::Target;
+use crate::appearance::SubpixelBits;
 use projector::Projector;
 
 /// A point in the space of its object: the local coordinates of `[0]` §5.3.1.
@@ -119,15 +120,16 @@ pub(crate) struct Screen {
     pub(crate) half_width: f64,
     /// Half of the height, pixels.
     pub(crate) half_height: f64,
+    /// Corners of triangles lie on a grid with so many steps per pixel, so decisions about a triangle (its orientation,
+    /// its coverage) are exact arithmetic on the very numbers that are drawn.
+    pub(crate) steps: f64,
 }
 
-/// Corners of triangles lie on this grid of the pixel, so decisions about a triangle (its orientation, its coverage)
-/// are exact arithmetic on the very numbers that are drawn.
-pub(crate) const SUBPIXELS: f64 = 256.0;
-
 impl Screen {
+    /// With the grid of 1/256 pixel.
     pub(crate) fn new(target: Target) -> Self {
-        Self { half_width: f64::from(target.width) / 2.0, half_height: f64::from(target.height) / 2.0 }
+        let [half_width, half_height] = [target.width, target.height].map(|side| f64::from(side) / 2.0);
+        Self { half_width, half_height, steps: SubpixelBits::default().steps() }
     }
 
     /// Half of the image's width and height, pixels.
@@ -144,6 +146,6 @@ impl Screen {
     /// half a step of the grid in x and in y, and no more than that by single precision, as long as that has the steps.
     pub(crate) fn snap_distance(&self) -> f64 {
         let single = 2.0 * self.half_size().max_element() * f64::from(f32::EPSILON);
-        2.0 * (0.5 / SUBPIXELS).max(single)
+        2.0 * (0.5 / self.steps).max(single)
     }
 }

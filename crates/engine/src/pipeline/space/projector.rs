@@ -4,6 +4,7 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::depths::{DepthScale, Sheet};
 use super::{FromEye, ObjectPoint, ViewPoint, WorldPoint};
+use crate::appearance::VertexFormat;
 use crate::camera::{Basis, Camera, Projection};
 
 /// The camera as the pipeline applies it, point by point.
@@ -21,6 +22,8 @@ pub(crate) struct Projector {
     pub(crate) shift: [f64; 2],
     /// The scale of the depths of the display list: of the range from F to B, unless a picture has less in view.
     pub(crate) depths: DepthScale,
+    /// The format to which positions are rounded.
+    pub(crate) format: VertexFormat,
     /// The display of a scene that is thin in NDC.
     pub(crate) sheet: Option<Sheet>,
 }
@@ -39,6 +42,7 @@ impl Projector {
             far: camera.far(),
             scale: [reach / window.width(), reach / window.height()],
             depths: DepthScale::of_volume(projection, camera.near(), camera.far()),
+            format: VertexFormat::F64,
             sheet: None,
             shift: [(window.right + window.left) / window.width(), (window.top + window.bottom) / window.height()],
         }
@@ -85,7 +89,8 @@ impl Projector {
         // With the eye in object space, one subtraction and one 3×3 product take a vertex to view space, and objects
         // far from the origin lose nothing. The inverse costs digits if the scales along the axes differ wildly.
         let condition = norm(linear) * norm(inverse);
-        if determinant != 0.0 && condition < 1e3 {
+        let format = self.format;
+        if determinant != 0.0 && condition < 1e3 && format == VertexFormat::F64 {
             ViewFromObject {
                 eye: inverse * (self.position - translation),
                 linear: view_from_world * linear,
@@ -93,6 +98,7 @@ impl Projector {
                 rest: condition * condition * (self.position - translation).length(),
                 determinant,
                 seen_from,
+                format,
             }
         } else {
             ViewFromObject {
@@ -102,9 +108,16 @@ impl Projector {
                 rest: 0.0,
                 determinant,
                 seen_from,
+                format,
             }
         }
     }
+}
+
+/// A point in a format.
+#[inline(always)]
+pub(crate) fn rounded(format: VertexFormat, p: DVec3) -> DVec3 {
+    if format == VertexFormat::F64 { p } else { p.to_array().map(|x| format.round(x)).into() }
 }
 
 fn norm(m: DMat3) -> f64 {
@@ -124,6 +137,9 @@ pub(crate) struct ViewFromObject {
     pub(crate) rest: f64,
     /// Determinant of the model matrix: negative if it mirrors.
     determinant: f64,
+    /// The format to which positions are rounded, in the world and in view space. Not `f64` only on the way through the
+    /// world.
+    pub(crate) format: VertexFormat,
     /// The eye in object space, homogeneous: a point, or in parallel projection the direction towards it (w = 0). Not
     /// finite for a flattened object.
     pub(crate) seen_from: DVec4,
@@ -137,7 +153,7 @@ impl ViewFromObject {
     pub(crate) fn offset_from_eye(&self, ObjectPoint(p): ObjectPoint) -> FromEye {
         FromEye(match self.through_world {
             None => p - self.eye,
-            Some((linear, translation)) => linear * p + translation - self.eye,
+            Some((linear, translation)) => rounded(self.format, linear * p + translation) - self.eye,
         })
     }
 

@@ -34,7 +34,7 @@ pub(crate) fn clip(faces: &mut Faces, vertices: &Vertices, screen: &Screen, want
             new @ VertexOrigin::Between { .. } => {
                 // A corner that clipping makes goes the rest of the way on its own: divide, viewport, snap.
                 let index = to_u32(image.positions.len());
-                image.positions.push(snap(viewport(screen, divide(&projector.depths, corner.point))));
+                image.positions.push(snap(screen, viewport(screen, divide(&projector.depths, corner.point))));
                 if !image.inverse_w.is_empty() {
                     image.inverse_w.push(projector.depths.relative_inverse_w(corner.point.w));
                 }

@@ -8,6 +8,7 @@
 //! ([`DepthScale`](crate::pipeline::space::depths::DepthScale)).
 
 use super::vertex::{clip_from_view, view_point};
+use crate::appearance::VertexFormat;
 use crate::pipeline::mesh::bounds::{Bounds, KnownBounds};
 use crate::pipeline::plan::{Containment, Extent};
 use crate::pipeline::scenes::Scenes;
@@ -36,7 +37,8 @@ pub(crate) fn containment(projector: &Projector, view_from_object: &ViewFromObje
     let corners = bounds.aabb.corners();
     let reach = corners.iter().fold(0.0, |most, &corner| view_from_object.magnitude(corner).max(most));
     let slack = slack(projector, MARGIN, reach);
-    if !bounds.finite || !slack.iter().all(|s| s.is_finite()) {
+    // The corners of a box say nothing about rounded vertices.
+    if !bounds.finite || projector.format != VertexFormat::F64 || !slack.iter().all(|s| s.is_finite()) {
         let in_view = InView::between(projector.near, projector.far);
         return Extent { containment: Containment::Crosses(ALL_PLANES), in_view };
     }

@@ -69,7 +69,7 @@ pub(crate) fn hidden_surfaces(
     // Corners that splitting makes go the way of all vertices.
     let depths = &projector.depths;
     let image = |p: ViewPoint| {
-        let corner = snap(viewport(screen, divide(depths, clip_from_view(projector, p))));
+        let corner = snap(screen, viewport(screen, divide(depths, clip_from_view(projector, p))));
         (corner, depths.relative_inverse_w(-p.0.z))
     };
     let sorted = match order {

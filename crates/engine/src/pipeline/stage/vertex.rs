@@ -10,12 +10,11 @@
 //!
 //! [`vertices`](super::vertices) calls them in one loop over the vertices of an object.
 
+use crate::appearance::VertexFormat;
 use crate::drawing::single;
 use crate::pipeline::space::depths::DepthScale;
-use crate::pipeline::space::projector::{Projector, ViewFromObject};
-use crate::pipeline::space::{
-    ClipPoint, FromEye, NdcPoint, ObjectPoint, Pixel, SUBPIXELS, Screen, ViewPoint, WorldPoint,
-};
+use crate::pipeline::space::projector::{Projector, ViewFromObject, rounded};
+use crate::pipeline::space::{ClipPoint, FromEye, NdcPoint, ObjectPoint, Pixel, Screen, ViewPoint, WorldPoint};
 use crate::simd::round_to_steps;
 
 /// **Transform**: object → world → view.
@@ -35,10 +34,11 @@ pub(crate) fn transform(view_from_object: &ViewFromObject, from_eye: FromEye) ->
     ViewPoint(view_from_object.linear * from_eye.0)
 }
 
-/// Takes a point of an object all the way to view space.
+/// Takes a point of an object all the way to view space, and rounds it to the format of the style.
 #[inline(always)]
 pub(crate) fn view_point(view_from_object: &ViewFromObject, p: ObjectPoint) -> ViewPoint {
-    transform(view_from_object, view_from_object.offset_from_eye(p))
+    let ViewPoint(p) = transform(view_from_object, view_from_object.offset_from_eye(p));
+    ViewPoint(rounded(view_from_object.format, p))
 }
 
 /// View → clip: the projection matrix of a symmetric window, which [`oblique`] completes.
@@ -57,10 +57,22 @@ pub(crate) fn project_symmetric(projector: &Projector, ViewPoint(p): ViewPoint) 
     ClipPoint { x: projector.scale[0] * p.x, y: projector.scale[1] * p.y, w, distance }
 }
 
-/// Takes a view point to clip space, whatever the window.
+/// Takes a view point to clip space, whatever the window, and rounds it to the format of the style.
 #[inline(always)]
 pub(crate) fn clip_from_view(projector: &Projector, p: ViewPoint) -> ClipPoint {
-    oblique(projector, project_symmetric(projector, p))
+    let p = oblique(projector, project_symmetric(projector, p));
+    if projector.format == VertexFormat::F64 { p } else { rounded_clip_point(projector, p) }
+}
+
+/// Rounds x_r, y_r, z_r and w_r as `[0]` §5.3.2 defines them. The distance becomes the one that z_r and w_r stand for,
+/// by w − z = 2F(B − d)/(B − F), or 2(B − d)/(B − F) in parallel projection.
+#[cold]
+fn rounded_clip_point(projector: &Projector, p: ClipPoint) -> ClipPoint {
+    let Projector { near, far, format, projection, .. } = *projector;
+    let unit = 2.0 * if projection.is_perspective() { near } else { 1.0 } / (far - near);
+    let z = format.round(p.w - unit * (far - p.distance));
+    let [x, y, w] = [p.x, p.y, p.w].map(|x| format.round(x));
+    ClipPoint { x, y, w, distance: far - (w - z) / unit }
 }
 
 /// Takes a world point to clip space.
@@ -128,10 +140,10 @@ pub(crate) fn viewport(screen: &Screen, p: NdcPoint) -> Pixel {
     }
 }
 
-/// Rounds a pixel to the grid of [`SUBPIXELS`], exactly: a corner of a triangle as the display list holds it.
+/// Rounds a pixel to the grid of the image, exactly: a corner of a triangle as the display list holds it.
 #[inline(always)]
-pub(crate) fn snap(p: Pixel) -> [f32; 3] {
-    unsnapped(Pixel { x: round_to_steps(p.x, SUBPIXELS), y: round_to_steps(p.y, SUBPIXELS), ..p })
+pub(crate) fn snap(screen: &Screen, p: Pixel) -> [f32; 3] {
+    unsnapped(Pixel { x: round_to_steps(p.x, screen.steps), y: round_to_steps(p.y, screen.steps), ..p })
 }
 
 /// A pixel as the display list holds points of lines: in single precision, off the grid.
@@ -146,7 +158,8 @@ mod tests {
 
     #[test]
     fn the_grid_has_256_places_a_pixel_and_rounds_to_the_nearest() {
-        let snapped = |x: f64, y: f64| snap(Pixel { x, y, depth: 0.5 });
+        let screen = Screen { half_width: 100.0, half_height: 100.0, steps: 256.0 };
+        let snapped = |x: f64, y: f64| snap(&screen, Pixel { x, y, depth: 0.5 });
         assert_eq!(snapped(10.0, 0.0), [10.0, 0.0, 0.5]);
         assert_eq!(snapped(100.0 + 1.4 / 256.0, 3.0 + 1.6 / 256.0), [100.0 + 1.0 / 256.0, 3.0078125, 0.5]);
     }

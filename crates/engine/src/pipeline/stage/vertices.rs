@@ -11,7 +11,10 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::vertex::{clip_from_view, divide, snap, transform, unsnapped, view_point, viewport};
+use super::vertex::{
+    clip_from_view, divide, oblique, project_symmetric, snap, transform, unsnapped, view_point, viewport,
+};
+use crate::appearance::VertexFormat;
 use crate::pipeline::mesh::CHUNK;
 use crate::pipeline::space::projector::{BLOCK, Projector, ViewFromObject};
 use crate::pipeline::space::{ClipPoint, FromEye, ObjectPoint, PlaneSet, Screen, ViewPoint, outcode};
@@ -132,8 +135,14 @@ impl VertexChunk<'_> {
             view_from_object.offsets_from_eye(given, [&mut x, &mut y, &mut distance]);
             for l in 0..BLOCK {
                 let from_eye = FromEye(DVec3::new(x[l], y[l], distance[l]));
-                let p = clip_from_view(projector, transform(view_from_object, from_eye));
+                let p = oblique(projector, project_symmetric(projector, transform(view_from_object, from_eye)));
                 (x[l], y[l], distance[l], w[l]) = (p.x, p.y, p.distance, p.w);
+            }
+            if projector.format != VertexFormat::F64 {
+                for (l, &p) in given.iter().enumerate() {
+                    let p = clip_from_view(projector, view_point(view_from_object, ObjectPoint(p)));
+                    (x[l], y[l], distance[l], w[l]) = (p.x, p.y, p.distance, p.w);
+                }
             }
             // The side of each plane, for culling and clipping.
             if let Some(outcodes) = self.outcodes.get_mut(here.clone()) {
@@ -146,7 +155,7 @@ impl VertexChunk<'_> {
             for l in 0..BLOCK {
                 let p = divide(depths, ClipPoint { x: x[l], y: y[l], w: w[l], distance: distance[l] });
                 let p = viewport(screen, p);
-                [image[0][l], image[1][l], image[2][l]] = if GRID { snap(p) } else { unsnapped(p) };
+                [image[0][l], image[1][l], image[2][l]] = if GRID { snap(screen, p) } else { unsnapped(p) };
             }
             for (l, position) in self.positions[here.clone()].iter_mut().enumerate() {
                 *position = [image[0][l], image[1][l], image[2][l]];
@@ -199,7 +208,7 @@ mod tests {
         assert_eq!(p_ndc, NdcPoint { x: 0.5, y: -0.5, depth: 0.25 }, "(B − d)/(B − F) · F/d = ½ · ½");
         let pixel = viewport(&screen, p_ndc);
         assert_eq!(pixel, Pixel { x: 75.0, y: 75.0, depth: 0.25 }, "y is down");
-        assert_eq!(snap(pixel), [75.0, 75.0, 0.25]);
+        assert_eq!(snap(&screen, pixel), [75.0, 75.0, 0.25]);
 
         // The loop over the vertices does the same.
         let positions = vec![p_object.0; 40];
@@ -208,5 +217,41 @@ mod tests {
         image.fill(&vertices, &screen, Snap::Grid, Wanted { outcodes: true, inverse_w: true });
         assert_eq!(image.positions, [[75.0, 75.0, 0.25]; 40]);
         assert_eq!((image.inverse_w, image.outside), (vec![0.5; 40], 0));
+    }
+
+    /// The matrices of `[0]` in `f64`, with a rounding before and after each.
+    #[test]
+    fn a_format_rounds_before_and_after_both_matrices() {
+        let camera = Camera::new(&Parameters {
+            position: DVec3::new(3.1, 2.2, 4.7),
+            focal_point: DVec3::new(0.3, -0.2, 0.1),
+            view_angle: 50.0,
+            near: 1.0,
+            far: 9.0,
+            ..Parameters::default()
+        })
+        .unwrap();
+        let projection = camera.notes_clip_space().clip_from_view();
+        for format in [VertexFormat::F32, VertexFormat::F16, VertexFormat::Bf16, VertexFormat::Fixed16] {
+            let mut projector = Projector::new(&camera);
+            projector.format = format;
+            let round = |v: &[f64]| v.iter().map(|x| format.round(*x)).collect::<Vec<_>>();
+            let view_from_object = projector.view_from_object(DMat4::from_translation(0.3 * DVec3::Y));
+            let positions: Vec<DVec3> =
+                (0..50).map(|k| DVec3::new(1.3, 0.7, 0.9) * (f64::from(k) * 0.7).sin()).collect();
+            let vertices =
+                Vertices { projector: &projector, view_from_object: &view_from_object, positions: &positions };
+            for (k, p) in (0..).zip(&positions) {
+                let world = DVec3::from_slice(&round(&(*p + 0.3 * DVec3::Y).to_array()));
+                let view = DVec3::from_slice(&round(&camera.view_from_world().transform_point3(world).to_array()));
+                assert_eq!(vertices.view_point(k).0, view, "{format:?}");
+                let [x, y, z, w] = round(&(projection * view.extend(1.0)).to_array())[..] else { unreachable!() };
+                let clip = vertices.clip_point(k);
+                assert_eq!([clip.x, clip.y, clip.w], [x, y, w], "{format:?}");
+                // (1 − z_n)/2 is the depth of the volume, to the rounding of z_r − w_r in f64.
+                let depth = projector.depths.depth_by(clip.distance, 1.0 / clip.w);
+                assert!((depth - 0.5 * (1.0 - z / w)).abs() < 1e-12, "{format:?}: {depth}");
+            }
+        }
     }
 }

@@ -120,7 +120,7 @@ impl Surfaces {
             want_slopes: depth_test && wanted.slopes,
             want_counts: wanted.counts,
         };
-        if !has_vectors() {
+        if !has_vectors() || drawing.fine_grid {
             paint_plainly(drawing, pixmap, depth, frame.want_slopes);
             progress.advance(height);
             return;
@@ -148,7 +148,7 @@ impl Surfaces {
 }
 
 /// Paints as the textbook does, on one thread, because a machine so old that it has no vectors doesn't get kernels of
-/// its own. The inner work of textures isn't shown.
+/// its own, and neither does a grid that only imitates other machines. The inner work of textures isn't shown.
 fn paint_plainly(drawing: &Drawing, pixmap: &mut Pixmap, depth: &mut DepthBuffer, want_slopes: bool) {
     let Some(painted) = textbook::paint(drawing) else { return };
     pixmap.data_mut().copy_from_slice(painted.image.data());

@@ -2,7 +2,10 @@
 
 use crate::appearance::Rgba;
 use crate::drawing::{Base, Surface, SurfaceLight};
-use crate::raster::grid::{HALF, HIGHEST, REACH, STEEPEST, STEPS, WIDEST, in_pixels, snapped};
+use crate::raster::grid::{self, FINER, HIGHEST, REACH, STEEPEST, WIDEST, snapped_finely};
+
+/// Steps of the grid per pixel.
+pub(super) const STEPS: i32 = FINER * grid::STEPS;
 
 /// A triangle, set up for painting.
 pub(super) struct Triangle<'a> {
@@ -14,7 +17,7 @@ pub(super) struct Triangle<'a> {
     /// Depths and 1/w of the vertices.
     pub(super) depths: [f32; 3],
     pub(super) inverse_w: [f32; 3],
-    /// The vertices in steps of 1/256 pixel, in the order that makes edge functions positive inside.
+    /// The vertices in steps of 1/4096 pixel, in the order that makes edge functions positive inside.
     v: [[i32; 2]; 3],
     /// Vertices 1 and 2 changed places for that.
     turned: bool,
@@ -50,10 +53,10 @@ impl Plane {
 
 impl<'a> Triangle<'a> {
     /// Returns `None` if it has no area on the grid, is out of the grid's reach, or lacks an attribute.
-    pub(super) fn new(surface: &'a Surface, number: usize, samples: usize) -> Option<Self> {
+    pub(super) fn new(surface: &'a Surface, number: usize, samples: usize, fine: bool) -> Option<Self> {
         let corners = surface.triangles.get(number)?.map(|corner| corner as usize);
         let [a, b, c] = at_corners(&surface.positions, corners)?;
-        let v = [snapped(a)?, snapped(b)?, snapped(c)?];
+        let v = [snapped_finely(a, fine)?, snapped_finely(b, fine)?, snapped_finely(c, fine)?];
         let inverse_w = if surface.inverse_w.is_empty() { [1.0; 3] } else { at_corners(&surface.inverse_w, corners)? };
         let depths = [a[2], b[2], c[2]];
         let mut triangle = Self { surface, number, corners, depths, inverse_w, v, turned: false, single: false };
@@ -73,7 +76,7 @@ impl<'a> Triangle<'a> {
     fn allows_single(&self, samples: usize) -> Option<bool> {
         let [wide, high] = [0, 1].map(|k| {
             let [p, q, r] = self.v.map(|v| v[k]);
-            p.max(q).max(r) - p.min(q).min(r) + 2 * REACH[usize::from(samples > 1)]
+            p.max(q).max(r) - p.min(q).min(r) + 2 * FINER * REACH[usize::from(samples > 1)]
         });
         let (differences, perspective) = if is_flat(self.surface) {
             (0.0, false)
@@ -87,7 +90,7 @@ impl<'a> Triangle<'a> {
         let scale = STEPS as f32 / self.area() as f32;
         let [ax, ay, bx, by] = self.sides().map(|side| (side as f32 * scale).abs());
         let steep = differences * (by + ay).max(ax + bx) >= STEEPEST;
-        Some(wide < WIDEST && high < HIGHEST && !steep && !perspective)
+        Some(wide < FINER * WIDEST && high < FINER * HIGHEST && !steep && !perspective)
     }
 
     /// The values of an attribute at the vertices. `None` if one is missing.
@@ -112,7 +115,7 @@ impl<'a> Triangle<'a> {
 
     /// The way from the first vertex to the centre of a pixel, in pixels. Exact.
     pub(super) fn to_center(&self, pixel: [i32; 2]) -> [f32; 2] {
-        [0, 1].map(|k| in_pixels(pixel[k] * STEPS + HALF - self.v[0][k]))
+        [0, 1].map(|k| (pixel[k] * STEPS + STEPS / 2 - self.v[0][k]) as f32 / STEPS as f32)
     }
 
     /// The plane through values at the three vertices. The differences to the first vertex are two linear equations for

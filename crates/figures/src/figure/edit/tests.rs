@@ -1,11 +1,11 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
-use crate::appearance::{Filter, HiddenLines, Rgba, Samples, Style, TextureReveal, Theme, Wrap};
+use crate::appearance::{Filter, HiddenLines, Rgba, Samples, Style, SubpixelBits, TextureReveal, Theme, Wrap};
 use crate::camera::{Decomposition, ImageSize, Ndc, Operation, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{
     ARRANGEMENTS, DEPTH_FORMATS, DIMENSIONS, MEASURE_TEXTS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES, SHADINGS,
-    VISIBILITIES,
+    VERTEX_FORMATS, VISIBILITIES,
 };
 use crate::figure::{
     CameraTag, Comparison, Depth, LabelledMeasure, Labels, Letters, Localized, Measured, MovedLabel, NamedCamera,
@@ -103,14 +103,18 @@ fn figure() -> impl Strategy<Value = Figure> {
         proptest::sample::select(SHADINGS),
         proptest::sample::select(VISIBILITIES),
         proptest::sample::select(DEPTH_FORMATS),
+        proptest::sample::select(VERTEX_FORMATS),
+        proptest::sample::select(&SubpixelBits::ALL[..]),
     );
-    let style = style.prop_map(|((_, shading), (_, visibility), (_, depth_format))| Style {
+    let style = style.prop_map(|((_, shading), (_, visibility), (_, depth_format), (_, vertex_format), bits)| Style {
         shading,
         visibility,
         hidden_lines: HiddenLines::Shown,
         antialias: Samples::Sixteen,
         theme: Theme::Dark,
         depth_format,
+        vertex_format,
+        subpixel_bits: bits,
     });
     let observer = || {
         proptest::option::of((point(), 0.1..1e4, -90.0..=90.0, any::<bool>()).prop_map(

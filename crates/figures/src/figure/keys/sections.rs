@@ -3,17 +3,17 @@
 use glam::DVec3;
 
 use super::{Keys, UNIT, camera, comparison, inline, labels, scene, show};
-use crate::appearance::Style;
+use crate::appearance::{Style, SubpixelBits};
 use crate::camera::{ImageSize, Projection, Viewport};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::points::may_be_named;
 use crate::figure::read::Section;
 use crate::figure::value::{
-    ANGLE, POSITIVE, SAMPLES, SWITCH, TEXT, VECTOR, angle_in, integer_in, number_in, write_told,
+    ANGLE, POSITIVE, SAMPLES, SUBPIXEL_BITS, SWITCH, TEXT, VECTOR, angle_in, integer_in, number_in, write_told,
 };
 use crate::figure::words::{
     self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PICTURES, PROJECTIONS, SCREEN_MATRICES,
-    SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
+    SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VERTEX_FORMATS, VISIBILITIES,
 };
 use crate::figure::{
     AXES_LENGTHS, Depth, Figure, Localized, NamedPoint, Observer, Photograph, Reveal, Screen, ScreenEntry,
@@ -144,6 +144,8 @@ fn style(keys: &mut Keys<'_>, style: &mut Style) {
     keys.key("antialias", &SAMPLES, &mut style.antialias);
     keys.word("theme", THEMES, &mut style.theme);
     keys.rare_word("depth_format", DEPTH_FORMATS, &mut style.depth_format);
+    keys.rare_word("vertex_format", VERTEX_FORMATS, &mut style.vertex_format);
+    keys.rare("subpixel_bits", &SubpixelBits::default(), &SUBPIXEL_BITS, &mut style.subpixel_bits);
 }
 
 fn reveal(keys: &mut Keys<'_>, reveal: &mut Reveal) {

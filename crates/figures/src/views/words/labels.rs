@@ -129,6 +129,10 @@ pub struct Labels {
     pub hidden_lines: [&'static str; 3],
     /// The values of `[style] depth_format`.
     pub depth_formats: [&'static str; 3],
+    /// Before a value of `[style] vertex_format`.
+    pub vertices_in: &'static str,
+    /// Before a value of `[style] subpixel_bits`.
+    pub subpixel_bits: &'static str,
     /// The values of `[camera] projection`.
     pub projections: [&'static str; 2],
     /// The stages of the pipeline, in their order.

@@ -59,6 +59,8 @@ pub(in crate::views) fn said(key: &str, value: Option<&str>, labels: &Labels) ->
         ("style.depth_format", value) => {
             word(DEPTH_FORMATS, &labels.depth_formats, value.unwrap_or("f32-reversed")).map(str::to_owned)
         }
+        ("style.vertex_format", value) => Some(format!("{} {}", labels.vertices_in, value.unwrap_or("f64"))),
+        ("style.subpixel_bits", value) => Some(format!("{} {}", labels.subpixel_bits, value.unwrap_or("8"))),
         ("show.stage", Some(value)) => {
             words::value(STAGES, value).and_then(|stage| labels.stages.get(stage as usize)).map(|&name| name.to_owned())
         }

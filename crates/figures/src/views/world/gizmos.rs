@@ -200,13 +200,15 @@ fn wire(scene: &mut Scene) {
     }
 }
 
-/// The scene as edges in wireframe, and a style in which the camera's gear keeps its faces.
+/// The scene as edges in wireframe, and a style in which the camera's gear keeps its faces. Other machines' vertices are
+/// the image's alone.
 pub(in crate::views) fn wired<'a>(mut scene: Cow<'a, Scene>, style: &Style) -> (Cow<'a, Scene>, Style) {
+    let style = style.with_exact_vertices();
     if style.shading != Shading::Wireframe {
-        return (scene, *style);
+        return (scene, style);
     }
     wire(scene.to_mut());
-    (scene, Style { shading: Shading::Flat, ..*style })
+    (scene, Style { shading: Shading::Flat, ..style })
 }
 
 /// Adds a planar convex polygon, counter-clockwise seen from outside, with its edges.

@@ -28,7 +28,8 @@ impl Counter {
     pub(super) fn draw(&mut self, scene: &Scene, camera: &Camera, style: &Style, image: ImageSize) -> Option<Drawn> {
         let mut pixels = 0;
         // The order of faces doesn't change the set of covered pixels.
-        let style = Style { visibility: Visibility::DepthBuffer, ..*style };
+        // Rounded vertices are a fault of their own.
+        let style = Style { visibility: Visibility::DepthBuffer, ..style.with_exact_vertices() };
         // Nor does the light, whose shadow maps would take most of the memory.
         let dark = Scenes::from(scene).without_lights();
         let painted = self.paint(dark, camera, &style, image, |pixel| pixels += u64::from(pixel[3] > 0))?;

@@ -72,7 +72,10 @@ impl WrongPixels {
 /// was cancelled. It pauses on the way.
 pub(super) async fn faults(spec: &ImageSpec<'_>, counter: &mut Counter, progress: &Progress) -> Option<Vec<Fault>> {
     let mut faults = Vec::new();
-    let spec = &ImageSpec { image: smaller(spec.image, spec.compared), ..*spec };
+    let rounded = &ImageSpec { image: smaller(spec.image, spec.compared), ..*spec };
+    // All other faults are judged with exact vertices.
+    let style = spec.style.with_exact_vertices();
+    let spec = &ImageSpec { style: &style, ..*rounded };
     let pixels = u64::from(spec.image.width) * u64::from(spec.image.height);
     if spec.style.shading == Shading::Wireframe {
         // Lines hide nothing.
@@ -81,6 +84,7 @@ pub(super) async fn faults(spec: &ImageSpec<'_>, counter: &mut Counter, progress
     if pixels > MAX_STEPPED_PIXELS || Solids::count(spec.scene) > MAX_RAY_TRIANGLES {
         return Some(vec![not_compared(Vec::new())]);
     }
+    faults.extend(vertices(rounded, spec, counter));
     faults.extend(faces(spec, counter, progress).await?);
     faults.extend(layers(spec, counter));
     if progress.is_cancelled() {
@@ -240,6 +244,25 @@ fn face_color(object: &Object, triangle: usize) -> Option<Rgba> {
         ObjectPaint::Faces(colors) => colors.get(triangle).copied(),
         ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => None,
     }
+}
+
+/// Pixels that show another face than with exact vertices.
+fn vertices(spec: &ImageSpec<'_>, exact: &ImageSpec<'_>, counter: &mut Counter) -> Option<Fault> {
+    if spec.style == exact.style {
+        return None;
+    }
+    let faces = Faces::new(exact)?;
+    let [drawn, meant] = [spec, exact].map(|spec| counter.numbered(spec, &faces.objects));
+    let (mut pixels, mut objects) = (WrongPixels { wrong: 0, of: 0 }, BTreeSet::new());
+    for pair in drawn.into_iter().zip(meant).filter(|pair| *pair != (0, 0)) {
+        pixels.of += 1;
+        if pair.0 != pair.1 {
+            pixels.wrong += 1;
+            let of = |number: u32| (number as usize).checked_sub(1).map(|triangle| faces.object(triangle).0);
+            objects.extend([pair.0, pair.1].into_iter().filter_map(of));
+        }
+    }
+    Some(Fault { cause: Cause::VertexRounding, pixels, objects: objects.into_iter().collect() })
 }
 
 /// Translucent faces in the wrong order. The image, without light, differs from the one that a BSP tree paints. Several

@@ -19,7 +19,7 @@ use glam::DVec3;
 use crate::appearance::{Shading, Style};
 use crate::camera::{Camera, CameraError, ImageSize};
 use crate::figure::Reveal;
-use crate::pipeline::{FacesDone, ObjectReport};
+use crate::pipeline::{FacesDone, ObjectReport, infinite_faces};
 use crate::progress::Progress;
 use crate::scene::Scene;
 pub use camera::{ImpossibleCamera, impossible_camera};
@@ -84,6 +84,8 @@ crate::worded! {
         ShadowAcne = "shadow-acne",
         /// Shadows are detached from the thing that casts them.
         ShadowDetached = "shadow-detached",
+        /// The format of vertices, or the grid of the image, puts faces in other pixels.
+        VertexRounding = "vertex-rounding",
         /// A texture is interpolated without w.
         AffineTexture = "affine-texture",
         /// The image is too large, or has too many faces, for a comparison with exact visibility.
@@ -157,6 +159,8 @@ pub struct Diagnosis {
     pub covered: f64,
     /// The findings, the most useful first. Empty only if the image was compared with exact visibility and is right.
     pub findings: Vec<Finding>,
+    /// Faces that the format of vertices leaves out of the image, because a coordinate isn't finite in it.
+    pub infinite_faces: usize,
     /// The reason why there's no image: the parameters make no camera.
     pub camera_error: Option<CameraError>,
 }
@@ -167,6 +171,7 @@ pub struct Diagnosis {
 /// [`NoDiagnosis`] if the image can't be drawn, or the work was cancelled.
 pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagnosis, NoDiagnosis> {
     let ImageSpec { scene, camera, style, image, .. } = *spec;
+    let infinite_faces = infinite_faces(scene, camera, style.vertex_format);
     let mut counter = Counter::default();
     let drawn = counter.draw(scene, camera, style, image).ok_or(NoDiagnosis::TooLarge)?;
     let covered = drawn.pixels as f64 / (f64::from(image.width) * f64::from(image.height));
@@ -216,7 +221,7 @@ pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagn
         let pixels = (fault.cause != Cause::NotCompared).then_some(fault.pixels);
         found.push(Finding { cause: fault.cause, whole: Vec::new(), partly: names.collect(), repair, pixels });
     }
-    Ok(Diagnosis { visible: drawn.pixels, covered, findings: found, camera_error: None })
+    Ok(Diagnosis { visible: drawn.pixels, covered, findings: found, infinite_faces, camera_error: None })
 }
 
 /// The reason why there's no diagnosis.

@@ -89,7 +89,7 @@ impl Looked<'_> {
                 Cause::ShadowAcne | Cause::ShadowDetached => {
                     shadows(&after, progress).await?.iter().map(|fault| fault.pixels.wrong).sum()
                 }
-                // With w, a texture is right.
+                // With w, a texture is right, and with exact vertices faces are in their pixels.
                 _ => 0,
             };
             if wrong == 0 {
@@ -135,6 +135,7 @@ impl Looked<'_> {
                 let as_in_file = (now.reveal != shown).then_some(Repair { reveal: shown, ..now });
                 as_in_file.into_iter().chain(biases).collect()
             }
+            Cause::VertexRounding => vec![style(now.style.with_exact_vertices())],
             Cause::AffineTexture => vec![Repair { reveal: Reveal { texture: None, ..now.reveal }, ..now }],
             _ => Vec::new(),
         }
@@ -367,6 +368,13 @@ impl Repair {
                 new.depth_format != old.depth_format,
                 words::name(words::DEPTH_FORMATS, new.depth_format),
             ),
+            word(
+                "vertex_format",
+                new.vertex_format != old.vertex_format,
+                words::name(words::VERTEX_FORMATS, new.vertex_format),
+            ),
+            (new.subpixel_bits != old.subpixel_bits)
+                .then(|| ("subpixel_bits", Value::Number(new.subpixel_bits.count().into()))),
         ];
         let gone = [
             (self.reveal.texture != reveal.texture).then_some(("reveal.texture", Value::Absent)),
