@@ -38,6 +38,8 @@ pub(super) fn bytes(study: Study, method: &str, parameter: f64) -> f64 {
         Study::Shading => 4.0,
         // A colour and a depth for each sample.
         Study::Antialiasing => 8.0 * samples(method),
+        // The two coordinates of a corner.
+        Study::Grid => 8.0,
         Study::Clipping => 8.0 * of_number,
         // A texel; in all levels of detail, a third more; or the samples of a pixel.
         Study::TextureFilter => match method {

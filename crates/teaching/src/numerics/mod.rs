@@ -50,6 +50,8 @@ crate::listed! {
         Shading = "shading",
         /// Samples of a pixel.
         Antialiasing = "antialiasing",
+        /// Grids for the corners of faces.
+        Grid = "grid",
         /// Segments through w = 0, cut before or after the division.
         Clipping = "clipping",
         /// Filters of pictures on surfaces.
@@ -169,6 +171,7 @@ pub async fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings
         Study::Visibility => studies::visibility::run(&lab).await,
         Study::Shading => studies::shading::run(&lab).await,
         Study::Antialiasing => studies::antialiasing::run(&lab).await,
+        Study::Grid => studies::grid::run(&lab).await,
         Study::Clipping => studies::clipping::run(&lab).await,
         Study::TextureFilter => studies::texture_filter::run(&lab).await,
         Study::Shadows => studies::shadows::run(&lab).await,

@@ -3,6 +3,9 @@
 /// Medians nearer than this to one another, as a share, are the same: the place of code and data in memory alone moves
 /// them as far.
 const SAME: f64 = 0.01;
+/// A gap between two intervals that's narrower than this share of a time is open: from one process to the next, the
+/// same frame takes so much more or less.
+const OPEN: f64 = 0.02;
 
 /// A median with an interval that holds it with 95 %.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -64,13 +67,13 @@ fn median_within(n: usize, k: usize) -> f64 {
 
 /// For each row, whether it's on the front, and whether more rounds could change that. A row is on the front if no
 /// other one is at most as costly and has an interval of time wholly below its own. It's undecided if the gap that
-/// decides is less than a hundredth of its time.
+/// decides is less than [`OPEN`] of its time.
 pub fn decide<C>(rows: &[(C, Interval)], is_at_most: impl Fn(&C, &C) -> bool) -> Vec<(bool, bool)> {
     let verdict = |k: usize| {
         let (cost, time) = &rows[k];
         let rivals = rows.iter().enumerate().filter(|(other, (of, _))| *other != k && is_at_most(of, cost));
         let gap = rivals.map(|(_, (_, of))| (time.low - of.high) / time.median).fold(f64::NEG_INFINITY, f64::max);
-        (gap <= 0.0, gap.abs() < SAME)
+        (gap <= 0.0, gap.abs() < OPEN)
     };
     (0..rows.len()).map(verdict).collect()
 }
@@ -116,7 +119,7 @@ mod tests {
         ];
         let verdicts = decide(&rows, |a, b| a <= b);
         assert_eq!(verdicts.iter().map(|(front, _)| *front).collect::<Vec<_>>(), [true, false, true, true, false]);
-        // Only the last is decided by less than a hundredth.
+        // Only the last is decided by less than a fiftieth.
         assert_eq!(verdicts.iter().map(|(_, open)| *open).collect::<Vec<_>>(), [false, false, false, false, true]);
     }
 }

@@ -4,6 +4,7 @@ pub(super) mod antialiasing;
 pub(super) mod basis;
 pub(super) mod clipping;
 pub(super) mod depth_buffer;
+pub(super) mod grid;
 pub(super) mod painter;
 pub(super) mod photograph;
 pub(super) mod repeated_operations;
