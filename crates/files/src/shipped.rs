@@ -50,7 +50,7 @@ macro_rules! shipped {
 }
 
 /// All of them, in the order of display. Every named scene is among them.
-pub const SHIPPED_FIGURES: [ShippedFigure; 52] = shipped![
+pub const SHIPPED_FIGURES: [ShippedFigure; 54] = shipped![
     Camera "": "primitives", "house", "corridor", "teapot", "arm", "cube", "empty";
     Camera "pipeline/": "look-at", "two-eyes";
     Cube "pipeline/": "frustum-to-cube", "parallel-perspective", "view-angles", "opengl-direct3d";
@@ -74,7 +74,9 @@ pub const SHIPPED_FIGURES: [ShippedFigure; 52] = shipped![
     "large-distance",
     "steep-up",
     "zoomed-out",
-    "solar";
+    "solar",
+    "half-cube",
+    "far-world";
 ];
 
 /// The built-in figures, parsed when first needed.
