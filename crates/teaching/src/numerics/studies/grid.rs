@@ -112,9 +112,9 @@ impl Grid {
             match self {
                 Self::Bits(bits) => {
                     let steps = f64::from(1_u32 << bits);
-                    let at = |v: f64| (v * steps).round_ties_even() as i128;
+                    let at = |v: f64| (v * steps).round_ties_even();
                     if bits > 12 {
-                        fill(triangle, side, at, 0, &mut faces);
+                        fill(triangle, side, |v| at(v) as i128, 0, &mut faces);
                     } else {
                         fill(triangle, side, |v| at(v) as i64, 0, &mut faces);
                     }
