@@ -116,6 +116,17 @@ fn the_figure_is_examined_and_the_keys_of_a_way_are_used_in_one_step() {
     });
     let figure = window.state().model.desk.shown.figure().clone();
     let study = window.state().numerics.this_figure.study().cloned().expect("examined");
+    // The numbers as tables, with the choices of the figure.
+    let folder = Folder::new("numerics-tables");
+    window.app_mut().state.file_flow.native = false;
+    for (file, known) in [("ways.csv", "style.antialias"), ("ways.json", "\"left_out\"")] {
+        window.harness.get_by_label(en::WINDOW.export_chart).scroll_to_me();
+        window.run();
+        window.click(en::WINDOW.export_chart);
+        window.choose(&folder.file(file));
+        let text = std::fs::read_to_string(folder.file(file)).expect("a table");
+        assert!(text.contains(known) && text.contains("different"), "{file}: {text}");
+    }
     let mut others = study.ways.iter().enumerate().filter(|(k, _)| ![study.yours, study.cheapest].contains(k));
     let (_, way) = others.next().expect("several ways");
     let set = this_figure::changed(Lang::En, &figure.scene, &study, way);

@@ -62,7 +62,8 @@ fn the_same_seed_gives_the_same_errors_and_another_seed_others() {
 /// Every case and every method has a name in Portuguese, or is the same in both languages.
 #[test]
 fn every_case_and_method_is_translated() {
-    const SAME: &[&str] = &["double-double", "f32", "gouraud", "phong", "bilinear", "trilinear", OWN];
+    const SAME: &[&str] =
+        &["double-double", "f32", "gouraud", "phong", "bilinear", "trilinear", "4 bits", "12 bits", OWN];
     for study in Study::ALL {
         for r in &findings(study).rows {
             for english in [r.case.as_str(), r.method] {

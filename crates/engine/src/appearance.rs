@@ -253,7 +253,8 @@ pub enum VertexFormat {
 }
 
 impl VertexFormat {
-    /// The nearest number of the format. Of two, the one whose last bit is 0. Beyond the range of a float it's infinite.
+    /// The nearest number of the format. Of two, the one whose last bit is 0. Beyond the range of a float it's
+    /// infinite.
     pub fn round(self, x: f64) -> f64 {
         // A float with this many bits, the exponent below which its steps grow no finer, and its greatest number.
         let float = |bits: i32, least: i32, greatest: f64| {

@@ -71,8 +71,8 @@ pub(super) fn in_pixels(steps: i32) -> f32 {
 /// Everything it computes is scaled by a power of two, so corners on the coarser grid give the same bits.
 pub(super) const FINER: i32 = 16;
 
-/// A position on the textbook's grid, rounded to a step of that if it's `fine`, else to one of this grid. `None` if it's
-/// out of reach, or not a number.
+/// A position on the textbook's grid, rounded to a step of that if it's `fine`, else to one of this grid. `None` if
+/// it's out of reach, or not a number.
 #[expect(clippy::cast_possible_truncation, reason = "within reach")]
 pub(super) fn snapped_finely(p: [f32; 3], fine: bool) -> Option<[i32; 2]> {
     let snapped = snapped(p)?;

@@ -200,8 +200,8 @@ fn wire(scene: &mut Scene) {
     }
 }
 
-/// The scene as edges in wireframe, and a style in which the camera's gear keeps its faces. Other machines' vertices are
-/// the image's alone.
+/// The scene as edges in wireframe, and a style in which the camera's gear keeps its faces. Other machines' vertices
+/// are the image's alone.
 pub(in crate::views) fn wired<'a>(mut scene: Cow<'a, Scene>, style: &Style) -> (Cow<'a, Scene>, Style) {
     let style = style.with_exact_vertices();
     if style.shading != Shading::Wireframe {

@@ -9,9 +9,18 @@
 
 use std::ops::{Mul, Sub};
 
+use glam::DVec3;
+
+use super::figure_with;
+use super::painter::BLACK;
+use crate::appearance::Rgba;
+use crate::camera::{Parameters, Projection, ViewWindow};
+use crate::drawing::{Drawing, Surface};
 use crate::numbers::random::Random;
 use crate::numerics::measure::{Off, Trial, bits_off};
-use crate::numerics::{Findings, Group, Lab, Study, Unit};
+use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
+use crate::raster::Rasterizer;
+use crate::scene::{ObjectSpec, Shape};
 
 /// Pixels: y down.
 type Triangle = [[f64; 2]; 3];
@@ -21,12 +30,14 @@ type Triangle = [[f64; 2]; 3];
 enum Grid {
     /// On whole numbers of 1/2ᵏ pixel.
     Bits(u32),
+    /// On the program's grid of 8 bits, painted by its rasterizer.
+    Own,
     /// Wherever single precision has them, with edge functions in single precision.
     Single,
 }
 
 const METHODS: [(&str, Grid); 4] =
-    [("4 bits", Grid::Bits(4)), ("8 bits", Grid::Bits(8)), ("12 bits", Grid::Bits(12)), ("f32", Grid::Single)];
+    [("4 bits", Grid::Bits(4)), (OWN, Grid::Own), ("12 bits", Grid::Bits(12)), ("f32", Grid::Single)];
 /// So fine that no corner moves by more than a billionth of a pixel.
 const EXACT: Grid = Grid::Bits(30);
 /// The size of a triangle, in pixels.
@@ -35,7 +46,7 @@ const SIZES: [f64; 4] = [2.0, 8.0, 32.0, 128.0];
 const ACROSS: usize = 4;
 
 #[derive(Clone, Copy)]
-enum Shape {
+enum Faces {
     /// A mesh that covers the image: every pixel belongs to one face.
     Mesh,
     /// A single triangle.
@@ -44,20 +55,20 @@ enum Shape {
     Sliver,
 }
 
-const CASES: [(&str, Shape); 3] =
-    [("cracks", Shape::Mesh), ("silhouettes", Shape::Silhouette), ("slivers", Shape::Sliver)];
+const CASES: [(&str, Faces); 3] =
+    [("cracks", Faces::Mesh), ("silhouettes", Faces::Silhouette), ("slivers", Faces::Sliver)];
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(40, 8);
     let watch = lab.watch(CASES.len() * SIZES.len() * METHODS.len(), count);
     let (mut rows, mut working_set) = (Vec::new(), 0);
-    for (c, (case, shape)) in CASES.into_iter().enumerate() {
+    for (c, (case, faces)) in CASES.into_iter().enumerate() {
         for (s, size) in SIZES.into_iter().enumerate() {
             if lab.progress.is_cancelled() {
                 break;
             }
             let mut random = Random::new(lab.effort.seed, 900 + (c * SIZES.len() + s) as u64);
-            let setups: Vec<Vec<Triangle>> = (0..count).map(|_| shape.triangles(&mut random, size)).collect();
+            let setups: Vec<Vec<Triangle>> = (0..count).map(|_| faces.triangles(&mut random, size)).collect();
             working_set = working_set.max(size_of_val(&setups[..]) + setups.concat().len() * size_of::<Triangle>());
             let side = (ACROSS as f64 * size) as usize;
             let measure = |grid: &Grid, input: usize, setup: &Vec<Triangle>, trial: &mut Trial| {
@@ -71,13 +82,13 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             };
             let methods = lab.methods(&METHODS, &setups, measure).await;
             let group = Group { case: case.to_owned(), parameter: size, unit: Unit::Share, methods };
-            rows.extend(group.rows(Study::Grid, |_| None));
+            rows.extend(group.rows(Study::Grid, |input| setups.get(input).map(|setup| figure(setup, side))));
         }
     }
     Findings { study: Study::Grid, reference: "exact coverage", working_set, rows }
 }
 
-impl Shape {
+impl Faces {
     fn triangles(self, random: &mut Random, size: f64) -> Vec<Triangle> {
         let side = ACROSS as f64 * size;
         match self {
@@ -120,10 +131,41 @@ impl Grid {
                     }
                 }
                 Self::Single => fill(triangle, side, |v| v as f32, 0.0, &mut faces),
+                Self::Own => return own_coverage(triangles, side),
             }
         }
         faces
     }
+}
+
+/// 1 in each pixel that the program paints.
+fn own_coverage(triangles: &[Triangle], side: usize) -> Vec<u8> {
+    let snapped = |v: f64| ((v * 256.0).round_ties_even() / 256.0) as f32;
+    let positions = triangles.iter().flatten().map(|[x, y]| [snapped(*x), snapped(*y), 0.5]).collect();
+    let corners = (0..3 * triangles.len() as u32).collect::<Vec<_>>();
+    let mut drawing = Drawing::new(side as u32, side as u32, BLACK);
+    drawing.surfaces = vec![Surface::solid(positions, corners.as_chunks().0.to_vec(), Rgba::rgb(255, 255, 255))];
+    let pixmap = Rasterizer::default().paint(&drawing);
+    pixmap.map(|pixmap| pixmap.data().iter().step_by(4).map(|red| red / 255).collect()).unwrap_or_default()
+}
+
+/// The triangles before a parallel camera whose window is the image.
+fn figure(triangles: &[Triangle], side: usize) -> String {
+    let side = side as f64;
+    let camera = Parameters {
+        projection: Projection::Parallel,
+        position: DVec3::Z,
+        focal_point: DVec3::ZERO,
+        near: 0.5,
+        far: 2.0,
+        window: Some(ViewWindow { left: 0.0, right: side, bottom: 0.0, top: side }),
+        ..Parameters::default()
+    };
+    let sides = triangles.iter().flat_map(|t| {
+        let [a, b, c] = t.map(|[x, y]| DVec3::new(x, side - y, 0.0));
+        [[a, b], [b, c], [c, a]]
+    });
+    figure_with(&camera, vec![ObjectSpec::new("triangles", Shape::Segments(sides.collect()))])
 }
 
 /// Adds a face to the pixels whose centres it covers, by edge functions and the top-left rule. `at` takes pixels to the
