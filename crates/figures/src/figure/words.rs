@@ -1,10 +1,10 @@
 //! The words of a figure file, each name in the file with its value.
 
 use super::{
-    Arrangement, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix, ShadowReveal,
-    StagePicture, TriangleStep, View, WindowSide,
+    Arrangement, CostReveal, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix,
+    ShadowReveal, StagePicture, TriangleStep, View, WindowSide,
 };
-use crate::appearance::{DepthFormat, HiddenLines, Shading, TextureReveal, Theme, Visibility};
+use crate::appearance::{DepthFormat, FaceOrder, HiddenLines, Shading, TextureReveal, Theme, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection, SensorFit};
 use crate::scene::{LightKind, Preset, Shape};
 use crate::stage::Stage;
@@ -46,6 +46,9 @@ pub const THEMES: Words<Theme> = &[("light", Theme::Light), ("dark", Theme::Dark
 pub const DEPTH_FORMATS: Words<DepthFormat> =
     &[("fixed-16", DepthFormat::Fixed16), ("fixed-24", DepthFormat::Fixed24), ("f32-reversed", DepthFormat::Float)];
 
+/// `[style] order`
+pub const FACE_ORDERS: Words<FaceOrder> = FaceOrder::NAMED;
+
 /// `[reveal] depth`, besides `true` and `false`
 pub const DEPTHS: Words<Depth> = &[("linear", Depth::Linear)];
 
@@ -59,6 +62,9 @@ pub const TEXTURE_REVEALS: Words<TextureReveal> =
 /// `[reveal] shadows`
 pub const SHADOW_REVEALS: Words<ShadowReveal> =
     &[("map", ShadowReveal::Map), ("acne", ShadowReveal::Acne), ("truth", ShadowReveal::Truth)];
+
+/// `[reveal] cost`
+pub const COST_REVEALS: Words<CostReveal> = CostReveal::NAMED;
 
 /// `[[scene.objects]] shape`. Shapes with data are empty here.
 pub const SHAPES: Words<Shape> = Shape::NAMED;

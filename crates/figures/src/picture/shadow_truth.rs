@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use tiny_skia::Pixmap;
 
-use crate::appearance::{DepthFormat, HiddenLines, Rgba, Samples, Shading, Style, Theme, Visibility};
+use crate::appearance::{DepthFormat, FaceOrder, HiddenLines, Rgba, Samples, Shading, Style, Theme, Visibility};
 use crate::camera::{Camera, ImageSize};
 use crate::drawing::{Base, BlockedLight, Drawing, SurfaceLight};
 use crate::figure::{Depth, ShadowReveal};
@@ -64,6 +64,7 @@ pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: 
         antialias: Samples::One,
         theme: Theme::Light,
         depth_format: DepthFormat::Float,
+        order: FaceOrder::AsListed,
     };
     let target = Target { width: image.width, height: image.height, scale: 1.0, background: black };
     let mut drawing = pipeline.frame(scene, camera, target, &style, Options::default()).drawing;

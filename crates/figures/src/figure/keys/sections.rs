@@ -12,8 +12,8 @@ use crate::figure::value::{
     ANGLE, POSITIVE, SAMPLES, SWITCH, TEXT, VECTOR, angle_in, integer_in, number_in, write_told,
 };
 use crate::figure::words::{
-    self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PICTURES, PROJECTIONS, SCREEN_MATRICES,
-    SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
+    self, ARRANGEMENTS, COST_REVEALS, DEPTH_FORMATS, DEPTHS, FACE_ORDERS, HIDDEN_LINES, OUTSIDES, PANELS, PICTURES,
+    PROJECTIONS, SCREEN_MATRICES, SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
 };
 use crate::figure::{
     AXES_LENGTHS, Depth, Figure, Localized, NamedPoint, Observer, Photograph, Reveal, Screen, ScreenEntry,
@@ -144,6 +144,7 @@ fn style(keys: &mut Keys<'_>, style: &mut Style) {
     keys.key("antialias", &SAMPLES, &mut style.antialias);
     keys.word("theme", THEMES, &mut style.theme);
     keys.rare_word("depth_format", DEPTH_FORMATS, &mut style.depth_format);
+    keys.rare_word("order", FACE_ORDERS, &mut style.order);
 }
 
 fn reveal(keys: &mut Keys<'_>, reveal: &mut Reveal) {
@@ -159,6 +160,7 @@ fn reveal(keys: &mut Keys<'_>, reveal: &mut Reveal) {
     keys.rare_word("outside", OUTSIDES, &mut reveal.outside);
     keys.choice("texture", TEXTURE_REVEALS, &mut reveal.texture);
     keys.choice("shadows", SHADOW_REVEALS, &mut reveal.shadows);
+    keys.choice("cost", COST_REVEALS, &mut reveal.cost);
     keys.switch("clipping", &mut reveal.clipping);
     keys.switch("divide_first", &mut reveal.divide_first);
     keys.switch("culled", &mut reveal.culled);

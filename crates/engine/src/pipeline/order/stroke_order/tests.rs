@@ -22,6 +22,7 @@ fn drawing(strokes: &[(&[[f32; 3]], LineStyle)]) -> Drawing {
         antialias: Samples::One,
         painted_in_order: true,
         depth_format: Default::default(),
+        order: Default::default(),
         surfaces: Vec::new(),
         strokes: sets.collect(),
         areas: Vec::new(),
