@@ -7,11 +7,12 @@ use serde::Serialize;
 
 use super::args::ExplainArgs;
 use super::{Failure, OpenFigure, json_of, print, progress};
+use crate::appearance::FaceOrder;
 use crate::cli::args::figure::size;
 use crate::cli::args::words::TableFormat;
 use crate::clock;
 use crate::numerics::this_figure::{Saving, savings};
-use crate::picture::{Pixels, RenderReport, Renderer};
+use crate::picture::{Costs, Pixels, RenderReport, Renderer};
 use crate::pipeline::{Containment, ObjectReport, Stage, StageReport};
 use crate::progress::{Progress, at_once};
 use crate::sanitize::{self, escaped};
@@ -34,9 +35,19 @@ struct Explanation<'a> {
     /// The stages whose operations aren't counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_counted: Option<Vec<&'static str>>,
+    /// Samples that were filled, and those painted over, in each order of the faces; the figure's own comes first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fills: Option<Vec<FillsLine>>,
     /// Only for the image, whose objects are those of the scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     objects: Option<Vec<ObjectLine<'a>>>,
+}
+
+#[derive(Serialize)]
+struct FillsLine {
+    order: &'static str,
+    filled: u64,
+    painted_over: u64,
 }
 
 #[derive(Serialize)]
@@ -84,7 +95,12 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     let OpenFigure { scene, size, lang, .. } = &subject;
     let (size, lang) = (*size, *lang);
     let request = subject.request(args.view, args.force_all_stages);
-    let account = account(&request).ok_or_else(|| subject.too_large())?;
+    let mut account = account(&request).ok_or_else(|| subject.too_large())?;
+    let counted = |progress: &Progress| at_once(Costs::of(&request, &mut Renderer::default(), progress));
+    let costs = args.cost.then(|| progress::watched(lang, counted).ok_or_else(|| subject.too_large())).transpose()?;
+    for report in account.stages.iter_mut().filter(|report| report.stage.is_raster()) {
+        report.operations = costs.as_ref().map_or(Operations::NONE, |costs| costs.of_stage(report.stage));
+    }
     let left_out: Vec<Stage> = account.stages.iter().filter(|report| !report.ran).map(|report| report.stage).collect();
     let saved = |progress: &Progress| at_once(savings(&request, &left_out, SAVED_SECONDS, progress));
     let saved =
@@ -94,6 +110,8 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     let text = match args.format {
         TableFormat::Text => {
             let mut text = table(&account, canvas::texts(lang).view(args.view), size, args.cost, lang);
+            let needless = costs.map(|costs| pipeline::needless(lang, &costs)).filter(|text| !text.is_empty());
+            text += &needless.map_or_else(String::new, |needless| format!("\n{needless}\n"));
             if let Some(objects) = objects.filter(|objects| !objects.is_empty()) {
                 text += "\n";
                 objects.iter().for_each(|object| text += &format!("{:<18} {}\n", escaped(object.name), object.reason));
@@ -109,7 +127,13 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
             let stages = account.stages.iter().map(|report| line(report, args.cost, &saved, lang)).collect();
             let uncounted = || Stage::ALL.into_iter().filter(|stage| !stage.is_counted()).map(Stage::name).collect();
             let not_counted = args.cost.then(uncounted);
-            json_of(&Explanation { view, stages, total_micros: micros(account.total), not_counted, objects })?
+            let line = |&(order, [filled, painted_over]): &(FaceOrder, [u64; 2])| FillsLine {
+                order: order.name(),
+                filled,
+                painted_over,
+            };
+            let fills = costs.map(|costs| costs.fills.iter().map(line).collect());
+            json_of(&Explanation { view, stages, total_micros: micros(account.total), not_counted, fills, objects })?
         }
     };
     print(text.as_bytes(), lang)

@@ -66,6 +66,10 @@ pub struct Exchange {
     ///
     /// *Set by* the views while the stages are explained. *Read by* their explanation. *Lives* until it changes.
     pub reports: Vec<crate::pipeline::StageReport>,
+    /// The request of the strip's view, without the pointer.
+    ///
+    /// *Set by* the views while the stages are explained. *Read by* their explanation. *Lives* until it changes.
+    pub explained: Option<crate::views::Request>,
 }
 
 impl Default for Exchange {
@@ -84,6 +88,7 @@ impl Default for Exchange {
             request: None,
             method_image: None,
             reports: Vec::new(),
+            explained: None,
         }
     }
 }

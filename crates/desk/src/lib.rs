@@ -28,6 +28,7 @@ pub mod layout;
 pub mod message;
 pub mod model;
 pub mod operations;
+pub mod pixel_costs;
 pub mod scene_cache;
 pub mod scene_tree;
 pub mod settings;

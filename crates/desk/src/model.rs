@@ -21,6 +21,7 @@ use crate::layout::{Layout, ObserverChange, Panels, Side};
 use crate::message::Message;
 use crate::operations::Operations;
 use crate::operations::motion::Motion;
+use crate::pixel_costs::PixelCosts;
 use crate::scene_cache::SceneCache;
 use crate::scene_tree::{SceneTree, Selected};
 use crate::settings::Settings;
@@ -59,6 +60,8 @@ pub struct Model {
     pub asked_layout: Option<AskedLayout>,
     /// The faults of the picture, and the health of the camera.
     pub coach: Coach,
+    /// The cost of the pixels of the picture whose stages are explained.
+    pub costs: PixelCosts,
     /// The operations: their steps and signs, and the last ones done.
     pub operations: Operations,
     /// The followed point.
@@ -100,6 +103,7 @@ impl Model {
             observers_shown: Memo::default(),
             asked_layout: None,
             coach: Coach::default(),
+            costs: PixelCosts::default(),
             operations: Operations::default(),
             follow: Follow::default(),
             explained: Explained::default(),

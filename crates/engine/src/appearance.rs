@@ -178,6 +178,22 @@ impl DepthFormat {
     }
 }
 
+crate::worded! {
+    /// The order in which the depth buffer gets the opaque faces (`[style] order`). The image is the same in each.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum FaceOrder {
+        /// As the scene lists them.
+        #[default]
+        AsListed = "as-listed",
+        /// The nearest first, by the depths of their middles. Most hidden faces aren't filled then.
+        FrontToBack = "front-to-back",
+        /// The farthest first, as the painter does.
+        BackToFront = "back-to-front",
+    }
+    /// Its name in a figure file.
+    pub fn name
+}
+
 /// The ground and the contrast of all pictures (`[style] theme`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Theme {
@@ -323,6 +339,8 @@ pub struct Style {
     pub vertex_format: VertexFormat,
     /// The grid on which corners of faces lie.
     pub subpixel_bits: SubpixelBits,
+    /// The order in which the image's depth buffer gets the faces.
+    pub order: FaceOrder,
 }
 
 impl Style {

@@ -25,7 +25,7 @@ const fn of(t: &Texts) -> Labels {
             map_wrong out_of too_much_for_rays nothing outside cuts back_faces dropped outside_of no_stage
             with_w affine levels texels divided_first wrong no_difference not_split rounded reversed
             right_handed left_handed triangles goes_in comes_out not_all no_vanishing ideal beyond_image
-            behind_eye horizon world this_camera other_camera differ step_number samples
+            behind_eye horizon painted_over from_front world this_camera other_camera differ step_number samples
         }
         mark: t.lang.mark(),
         operations: [
@@ -44,6 +44,8 @@ const fn of(t: &Texts) -> Labels {
         depths: [style.depth_off, style.depth_stored, style.depth_linear],
         outsides: [style.outside_usual, style.outside_cut, style.outside_tinted, style.outside_shown],
         shadow_reveals: [scene.shadow_plain, scene.shadow_of_light, scene.shadow_acne, scene.shadow_truth],
+        costs: [t.cost_none, t.cost_overdraw, t.cost_operations, t.cost_rounding, t.cost_error],
+        face_orders: [t.as_listed, t.order_front, t.order_back],
         world_parts: [
             t.part_grid, t.part_axes, t.part_camera_body, "u, v, n", "VUP", "DOP", "PF", t.part_volume,
             t.part_window, t.part_ground_marks, t.part_names,

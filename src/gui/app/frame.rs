@@ -221,6 +221,7 @@ impl App {
         }
         let is_down = ctx.input(|input| input.pointer.any_down());
         self.state.model.check_camera(&frames(&ctx), is_down);
+        self.state.model.count_pixels(&frames(&ctx), is_down);
         presentation::show(&ctx, &self.state.model, &mut self.state.annotations, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };

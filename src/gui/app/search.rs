@@ -120,6 +120,8 @@ const HOMES: &[Home] = &[
     ("style.subpixel_bits", |t| SearchTarget::Parameter(Tab::Drawing, t.subpixel_bits)),
     ("style.theme", |t| SearchTarget::Parameter(Tab::Drawing, t.file_theme)),
     ("style.depth_format", |_| SearchTarget::Explanation(Explanation::Depth)),
+    ("style.order", |_| SearchTarget::Explanation(Explanation::Stages)),
+    ("reveal.cost", |_| SearchTarget::Explanation(Explanation::Stages)),
     ("reveal.depth", |_| SearchTarget::Explanation(Explanation::Depth)),
     ("reveal.outside", |_| SearchTarget::Explanation(Explanation::Clipping)),
     ("reveal.clipping", |_| SearchTarget::Explanation(Explanation::Clipping)),

@@ -478,7 +478,7 @@ impl Canvas {
             (picture.missing, picture.account, picture.over_budget) = (missing, account, over_budget);
             picture.labels = labels;
         }
-        self.report(ctx, model);
+        self.report(ctx, model, panes);
         let palette = Palette::of(style.theme);
         for pane in panes.iter() {
             let texture = &mut self.pictures[pane.picture].texture;
@@ -492,8 +492,17 @@ impl Canvas {
     }
 
     /// Passes the report of each picture to the side of explanations.
-    fn report(&self, ctx: &Context, model: &mut Model) {
+    fn report(&mut self, ctx: &Context, model: &mut Model, panes: &[Pane]) {
         let of = model.layout.strip_of;
+        let pane = panes.iter().find(|pane| pane.view == of && model.accounts_for_stages());
+        model.frame.explained = pane.map(|pane| Request { hover: Hover::default(), ..pane.request.clone() });
+        if let Some((pane, request)) = pane.zip(model.frame.explained.as_ref())
+            && let Some(costs) = model.costs.known(request)
+            && let Some(account) = &mut self.pictures[pane.picture].account
+        {
+            let on_pixels = account.stages.iter_mut().filter(|report| report.stage.is_raster());
+            on_pixels.for_each(|report| report.operations = costs.of_stage(report.stage));
+        }
         let is_asked = model.shows_explanation(Explanation::Stages) && model.layout.is_shown(of);
         let account = self.picture_of(of).and_then(|picture| picture.account.as_ref()).filter(|_| is_asked);
         let reports = account.map(|account| account.stages.as_slice()).unwrap_or_default();

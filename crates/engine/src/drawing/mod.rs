@@ -7,7 +7,7 @@
 //! frame defines their meaning.
 //!
 //! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal
-//! depths the first drawn stays), then translucent surfaces from back to front (hidden by nearer opaque ones),
+//! depths the first listed stays), then translucent surfaces from back to front (hidden by nearer opaque ones),
 //! then strokes, then areas in the order of the list (over all strokes, whatever their depths), then marks, then
 //! labels.
 //!
@@ -25,7 +25,7 @@ mod surface;
 
 use std::ops::Range;
 
-use crate::appearance::{DepthFormat, LineStyle, MarkShape, Rgba, Role, Samples};
+use crate::appearance::{DepthFormat, FaceOrder, LineStyle, MarkShape, Rgba, Role, Samples};
 pub use shadow::{BlockedLight, Rays, Shadow, ShadowMap};
 pub use surface::{Base, Lighting, PixelLight, Surface, SurfaceLight, ViewLight};
 
@@ -47,6 +47,8 @@ pub struct Drawing {
     pub depth_format: DepthFormat,
     /// Corners of faces lie on a finer grid than 1/256 of a pixel.
     pub fine_grid: bool,
+    /// The order in which opaque surfaces are painted, for the cost alone. See [`face_order`](Self::face_order).
+    pub order: FaceOrder,
     /// Faces.
     pub surfaces: Vec<Surface>,
     /// Lines.
@@ -70,12 +72,20 @@ impl Drawing {
             painted_in_order: false,
             depth_format: DepthFormat::default(),
             fine_grid: false,
+            order: FaceOrder::default(),
             surfaces: Vec::new(),
             strokes: Vec::new(),
             areas: Vec::new(),
             marks: Vec::new(),
             labels: Vec::new(),
         }
+    }
+
+    /// The order of opaque triangles. They're as listed without a depth buffer, and also if one without a depth test
+    /// lies over others. Of equal depths, the first in the list stays in every order.
+    pub fn face_order(&self) -> FaceOrder {
+        let is_tested = self.surfaces.iter().filter(|surface| !surface.translucent).map(|surface| surface.depth_test);
+        if self.painted_in_order || !is_tested.is_sorted() { FaceOrder::AsListed } else { self.order }
     }
 }
 

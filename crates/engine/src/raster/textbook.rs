@@ -6,7 +6,8 @@
 //! translucent colour over the pixel, `antialias` averages the samples of a pixel, and `write` stores the result.
 //! [`paint`] calls them: for each triangle, for each pixel of its box. Nothing is kept from one pixel to the next. One
 //! step comes early: hidden surfaces (8) before the colour (7), so that hidden pixels cost no colour. `triangle` holds
-//! the edges and the planes of attributes, `colors` the shading, `texels` the filters, `lamp` the view of a lamp.
+//! the edges and the planes of attributes, `colors` the shading, `texels` the filters, `lamp` the view of a lamp. `cost`
+//! counts the work instead of painting.
 //!
 //! The program paints with [`Rasterizer`](super::Rasterizer), which gives the same bytes much faster. It cuts the
 //! picture into bands of rows, one at a time for each thread, and looks at a triangle only in the bands that it
@@ -21,23 +22,26 @@
 //! ([`TextureReveal`](crate::appearance::TextureReveal)).
 
 mod colors;
+mod cost;
 mod lamp;
 mod texels;
 mod triangle;
 
 use std::array::from_fn;
+use std::ops::Range;
 
 use tiny_skia::Pixmap;
 
 use super::grid::{FINER, in_pixels, samples};
 use super::new_pixmap;
 use super::pixel::premultiply;
-use crate::appearance::{DepthFormat, Filter, Level};
+use crate::appearance::{DepthFormat, FaceOrder, Filter, Level};
 use crate::drawing::{Base, Drawing, Shadow, Surface};
 use colors::color_at;
+pub use cost::{FaceAtPixel, PixelCost, cost, faces_at};
 use lamp::{MapPoint, under};
 use texels::{between, detail, near_zero, texels};
-use triangle::{STEPS, Triangle};
+use triangle::{Plane, STEPS, Triangle};
 
 /// A picture and the depths of its surfaces.
 #[derive(Clone, Debug)]
@@ -54,12 +58,32 @@ pub struct Painted {
 /// A premultiplied colour: red, green, blue, alpha.
 type Color = [u8; 4];
 
-/// A sample of a pixel: its colour, its depth, and the slope of the face there.
+/// A sample of a pixel: its colour, its depth, and the slope of the face there with its place in the list.
 #[derive(Clone, Copy)]
 struct Sample {
     color: Color,
     depth: f32,
     slope: [f32; 2],
+    place: usize,
+}
+
+/// A triangle of a drawing: its surface, its number there, and its place among all triangles in the list.
+#[derive(Clone, Copy)]
+struct Face<'a> {
+    surface: &'a Surface,
+    number: usize,
+    place: usize,
+}
+
+/// A pixel that a triangle has samples of.
+struct Met<'a> {
+    /// Its place among the scanned ones.
+    pixel: usize,
+    /// Its centre, relative to the first vertex of the triangle.
+    center: [f32; 2],
+    /// The samples inside the triangle, and those of them that nothing nearer hides.
+    covered: &'a [usize],
+    visible: &'a [usize],
 }
 
 /// Paints the surfaces of `drawing`, and the shadow maps that they need. Returns `None` if a side is 0 or the picture
@@ -67,29 +91,20 @@ struct Sample {
 pub fn paint(drawing: &Drawing) -> Option<Painted> {
     let mut image = new_pixmap(drawing)?;
     paint_shadow_maps(drawing);
-    let places = samples(drawing.antialias);
-    let count = places.len();
-    let pixels = drawing.width as usize * drawing.height as usize;
-    let color = premultiply(drawing.background).to_le_bytes();
-    let mut samples = vec![Sample { color, depth: f32::NEG_INFINITY, slope: [0.0; 2] }; pixels * count];
-    for (surface, number) in painting_order(drawing) {
-        let Some(triangle) = Triangle::new(surface, number, count, drawing.fine_grid) else { continue };
-        for [x, y] in triangle.pixels([drawing.width, drawing.height]) {
-            let first = (y as usize * drawing.width as usize + x as usize) * count;
-            let pixel = &mut samples[first..first + count];
-            let center = triangle.to_center([x, y]);
-            let mut covered = fill(&triangle, [x, y], places);
-            hidden_surfaces(&mut covered, pixel, &triangle, center, places, drawing);
+    let count = samples(drawing.antialias).len();
+    let mut samples = cleared(drawing, drawing.height);
+    for face in painting_order(drawing) {
+        scan(drawing, face, 0..drawing.height, &mut samples, |triangle, met, pixel| {
             // A sample has its own coverage and its own depth, but all samples of a pixel have the colour at the
             // centre.
-            if !covered.is_empty()
-                && let Some(color) = color_at(&triangle, center)
+            if !met.visible.is_empty()
+                && let Some(color) = color_at(triangle, met.center)
             {
-                for s in covered {
-                    pixel[s].color = if surface.translucent { blend(color, pixel[s].color) } else { color };
+                for &s in met.visible {
+                    pixel[s].color = if face.surface.translucent { blend(color, pixel[s].color) } else { color };
                 }
             }
-        }
+        });
     }
     for (k, pixel) in samples.chunks(count).enumerate() {
         write(&mut image, k, antialias(pixel));
@@ -97,6 +112,36 @@ pub fn paint(drawing: &Drawing) -> Option<Painted> {
     let first = || samples.iter().step_by(count);
     let (depths, slopes) = (first().map(|sample| sample.depth).collect(), first().map(|sample| sample.slope).collect());
     Some(Painted { image, depths, slopes })
+}
+
+/// The samples of some rows before anything is painted.
+fn cleared(drawing: &Drawing, rows: u32) -> Vec<Sample> {
+    let count = drawing.width as usize * rows as usize * samples(drawing.antialias).len();
+    let color = premultiply(drawing.background).to_le_bytes();
+    vec![Sample { color, depth: f32::NEG_INFINITY, slope: [0.0; 2], place: 0 }; count]
+}
+
+/// Takes a triangle to the samples of some rows of the picture. `meets` gets each pixel of which it has samples, after
+/// the depth test.
+fn scan(
+    drawing: &Drawing,
+    face: Face,
+    rows: Range<u32>,
+    all: &mut [Sample],
+    mut meets: impl FnMut(&Triangle, Met, &mut [Sample]),
+) {
+    let places = samples(drawing.antialias);
+    let Some(triangle) = Triangle::new(face.surface, face.number, places.len(), drawing.fine_grid) else { return };
+    for [x, y] in triangle.pixels(drawing.width, &rows) {
+        let pixel = (y.cast_unsigned() - rows.start) as usize * drawing.width as usize + x as usize;
+        let samples = &mut all[pixel * places.len()..][..places.len()];
+        let center = triangle.to_center([x, y]);
+        let covered = fill(&triangle, [x, y], places);
+        let visible = hidden_surfaces(&covered, samples, (&triangle, face.place), center, places, drawing);
+        if !covered.is_empty() {
+            meets(&triangle, Met { pixel, center, covered: &covered, visible: &visible }, samples);
+        }
+    }
 }
 
 /// Paints each light's view, unless that has been done. It's a drawing of its own, of which only the depths stay.
@@ -109,20 +154,29 @@ fn paint_shadow_maps(drawing: &Drawing) {
     }
 }
 
-/// The triangles in the order of painting. Opaque ones come as they're listed, because the z-buffer sorts them.
-/// Translucent ones follow from back to front, by the depths of their centroids, as in the painter's model of `[2]`; of
-/// these, the ones without a depth test come last. A drawing that is painted in order keeps its own order.
-fn painting_order(drawing: &Drawing) -> Vec<(&Surface, usize)> {
+/// The triangles in the order of painting. Opaque ones come as they're listed or sorted by the depths of their
+/// centroids ([`Drawing::order`]), because the z-buffer gives the same image in any order. Translucent ones follow from
+/// back to front, as in the painter's model of `[2]`; of these, the ones without a depth test come last. A drawing that
+/// is painted in order keeps its own order.
+fn painting_order(drawing: &Drawing) -> Vec<Face<'_>> {
     let all = drawing.surfaces.iter().flat_map(|surface| (0..surface.triangles.len()).map(move |k| (surface, k)));
+    let all = all.enumerate().map(|(place, (surface, number))| Face { surface, number, place });
     if drawing.painted_in_order {
         return all.collect();
     }
-    let (mut translucent, mut order): (Vec<_>, Vec<_>) = all.partition(|(surface, _)| surface.translucent);
-    let depth = |&(surface, k): &(&Surface, usize)| {
-        let [a, b, c] = surface.triangles[k].map(|v| surface.positions.get(v as usize).map_or(f32::NAN, |p| p[2]));
+    let (mut translucent, mut order): (Vec<_>, Vec<_>) = all.partition(|face| face.surface.translucent);
+    let middle = |&Face { surface, number, .. }: &Face| {
+        let [a, b, c] = surface.triangles[number].map(|v| surface.positions.get(v as usize).map_or(f32::NAN, |p| p[2]));
         a + b + c
     };
-    translucent.sort_by(|a, b| b.0.depth_test.cmp(&a.0.depth_test).then(depth(a).total_cmp(&depth(b))));
+    let nearer = |a: &Face, b: &Face| middle(b).total_cmp(&middle(a));
+    let tested = order.iter().position(|face| face.surface.depth_test).unwrap_or(order.len());
+    match drawing.face_order() {
+        FaceOrder::AsListed => {}
+        FaceOrder::FrontToBack => order[tested..].sort_by(nearer),
+        FaceOrder::BackToFront => order[tested..].sort_by(|a, b| nearer(b, a)),
+    }
+    translucent.sort_by(|a, b| b.surface.depth_test.cmp(&a.surface.depth_test).then(nearer(b, a)));
     order.append(&mut translucent);
     order
 }
@@ -145,30 +199,39 @@ fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize>
 
 /// **Hidden surfaces**: the z-buffer of `[2]`. Depths are reversed, so the greater one is nearer. A sample stays if the
 /// triangle is nearer there than the stored depth. An opaque triangle then stores its own depth, a translucent one
-/// doesn't. Of equal depths the first one stays, while `<=` in `[2]` lets the last one win. In a drawing that is
-/// painted in order, every sample stays. `[3]` §1.1, step 8
+/// doesn't. Of equal depths the first one in the list stays, in whatever order they're painted, while `<=` in `[2]` lets
+/// the last one win. In a drawing that is painted in order, every sample stays. `[3]` §1.1, step 8
 fn hidden_surfaces(
-    covered: &mut Vec<usize>,
+    covered: &[usize],
     pixel: &mut [Sample],
-    triangle: &Triangle,
+    (triangle, place): (&Triangle, usize),
     center: [f32; 2],
     places: &[[i32; 2]],
     drawing: &Drawing,
-) {
+) -> Vec<usize> {
     let surface = triangle.surface;
+    let mut visible = covered.to_vec();
     if !surface.depth_test {
-        return;
+        return visible;
     }
     let plane = triangle.plane(triangle.depths);
-    covered.retain(|&s| {
-        let step = plane.dx * in_pixels(places[s][0]) + plane.dy * in_pixels(places[s][1]);
-        let z = stored(plane.hold(plane.at(center) + step), drawing.depth_format);
-        let is_visible = z > pixel[s].depth || drawing.painted_in_order;
+    visible.retain(|&s| {
+        let z = depth(&plane, center, places[s], drawing.depth_format);
+        let old = &pixel[s];
+        let is_first = z >= old.depth && place < old.place && !surface.translucent;
+        let is_visible = z > old.depth || is_first || drawing.painted_in_order;
         if is_visible && !surface.translucent {
-            (pixel[s].depth, pixel[s].slope) = (z, [plane.dx, plane.dy]);
+            (pixel[s].depth, pixel[s].slope, pixel[s].place) = (z, [plane.dx, plane.dy], place);
         }
         is_visible
     });
+    visible
+}
+
+/// The depth of a triangle at a sample of a pixel, as it's stored.
+fn depth(plane: &Plane, center: [f32; 2], place: [i32; 2], format: DepthFormat) -> f32 {
+    let step = plane.dx * in_pixels(place[0]) + plane.dy * in_pixels(place[1]);
+    stored(plane.hold(plane.at(center) + step), format)
 }
 
 /// A depth as a format stores it: as it is, or as the nearest integer of the format.

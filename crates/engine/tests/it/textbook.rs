@@ -6,12 +6,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use camera_lab_engine::appearance::{
-    Dash, DepthFormat, Filter, HiddenLines, LineStyle, Rgba, Sampler, Samples, Texture, TextureReveal, Wrap,
+    Dash, DepthFormat, FaceOrder, Filter, HiddenLines, LineStyle, Rgba, Sampler, Samples, Texture, TextureReveal, Wrap,
 };
 use camera_lab_engine::drawing::{
     Base, BlockedLight, Drawing, Lighting, PixelLight, Rays, Shadow, ShadowMap, StrokeSet, Surface, SurfaceLight,
     ViewLight,
 };
+use camera_lab_engine::progress::{Progress, at_once};
 use camera_lab_engine::raster::{Rasterizer, textbook};
 use proptest::prelude::*;
 
@@ -77,6 +78,7 @@ struct Scene {
     antialias: Samples,
     painted_in_order: bool,
     depth_format: DepthFormat,
+    order: FaceOrder,
     surfaces: Vec<Recipe>,
     /// Strokes ask for the slopes of faces.
     slopes: bool,
@@ -288,6 +290,7 @@ fn drawing(scene: &Scene) -> Drawing {
         antialias: scene.antialias,
         painted_in_order: scene.painted_in_order,
         depth_format: scene.depth_format,
+        order: scene.order,
         surfaces: scene.surfaces.iter().map(|recipe| surface(recipe, scene.size)).collect(),
         strokes: if scene.slopes { vec![strokes] } else { Vec::new() },
         ..Drawing::new(width, height, Rgba::rgba(250, 240, 230, 200))
@@ -355,12 +358,14 @@ fn scenes() -> impl Strategy<Value = Scene> {
     let antialias = prop::sample::select(Samples::ALL.to_vec());
     let format = prop::sample::select(vec![DepthFormat::Float, DepthFormat::Fixed16, DepthFormat::Fixed24]);
     let surfaces = prop::collection::vec(recipes(), 1..5);
-    (size, antialias, prop::bool::weighted(0.2), format, surfaces, any::<bool>()).prop_map(
-        |(size, antialias, painted_in_order, depth_format, surfaces, slopes)| Scene {
+    let order = prop::sample::select(FaceOrder::NAMED.iter().map(|(_, order)| *order).collect::<Vec<_>>());
+    (size, antialias, prop::bool::weighted(0.2), format, order, surfaces, any::<bool>()).prop_map(
+        |(size, antialias, painted_in_order, depth_format, order, surfaces, slopes)| Scene {
             size,
             antialias,
             painted_in_order,
             depth_format,
+            order,
             surfaces,
             slopes,
         },
@@ -384,4 +389,68 @@ proptest! {
             prop_assert_eq!(depth.to_bits(), expected.depths[k].to_bits(), "depth of pixel ({}, {})", x, y);
         }
     }
+
+    /// Many of their depths are equal.
+    #[test]
+    fn the_order_of_faces_changes_the_counts_alone(scene in scenes()) {
+        let paint = |order| {
+            let drawing = Drawing { order, ..drawing(&scene) };
+            let mut rasterizer = Rasterizer::default();
+            rasterizer.measure(Some(|| Duration::ZERO));
+            let image = rasterizer.paint(&drawing).expect("a small picture");
+            let costs = at_once(textbook::cost(&drawing, &Progress::default())).expect("not cancelled");
+            let sum = |of: fn(&textbook::PixelCost) -> u32| costs.iter().map(|cost| u64::from(of(cost))).sum::<u64>();
+            let work = rasterizer.work();
+            assert_eq!([work.covered, work.written], [sum(|cost| cost.covered), sum(|cost| cost.filled)], "{order:?}");
+            (image, textbook::paint(&drawing).expect("a small picture").image)
+        };
+        let (as_listed, by_textbook) = paint(FaceOrder::AsListed);
+        for order in [FaceOrder::FrontToBack, FaceOrder::BackToFront] {
+            let (image, textbook) = paint(order);
+            prop_assert!(image == as_listed, "{order:?}");
+            prop_assert!(textbook == by_textbook, "{order:?}, textbook");
+        }
+    }
+
+    #[test]
+    fn the_faces_at_a_pixel_have_its_counts(scene in scenes(), x in 0..80_u32, y in 0..60_u32) {
+        let drawing = drawing(&scene);
+        let [x, y] = [x % scene.size[0], y % scene.size[1]];
+        let costs = at_once(textbook::cost(&drawing, &Progress::default())).expect("not cancelled");
+        let cost = costs[(y * scene.size[0] + x) as usize];
+        let faces = textbook::faces_at(&drawing, [x, y]);
+        let sum = |of: fn(&textbook::PixelCost) -> u32| faces.iter().map(|face| of(&face.cost)).sum::<u32>();
+        prop_assert_eq!([cost.covered, cost.filled], [sum(|cost| cost.covered), sum(|cost| cost.filled)]);
+        prop_assert_eq!([cost.lit, cost.blended], [sum(|cost| cost.lit), sum(|cost| cost.blended)]);
+        for face in faces {
+            let [surface, number] = face.face;
+            prop_assert!(number < drawing.surfaces[surface].triangles.len());
+            prop_assert_eq!(face.behind.is_some(), face.cost.filled < face.cost.covered);
+            prop_assert!(face.behind.is_none_or(|behind| behind >= 0.0));
+        }
+    }
+}
+
+/// Of two squares, the nearer one is painted first or last.
+#[test]
+fn from_front_to_back_nothing_is_painted_over() {
+    let square = |z: f32, color: u8| {
+        let corners = vec![[0.0, 0.0, z], [8.0, 0.0, z], [8.0, 8.0, z], [0.0, 8.0, z]];
+        Surface::solid(corners, vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(color, color, color))
+    };
+    let surfaces = vec![square(0.25, 10), square(0.75, 20), square(0.5, 30)];
+    let drawing = Drawing { surfaces, ..Drawing::new(8, 8, Rgba::rgb(255, 255, 255)) };
+    for (order, filled) in [(FaceOrder::AsListed, 2), (FaceOrder::FrontToBack, 1), (FaceOrder::BackToFront, 3)] {
+        let drawing = Drawing { order, ..drawing.clone() };
+        let costs = at_once(textbook::cost(&drawing, &Progress::default())).expect("not cancelled");
+        assert!(costs.iter().all(|cost| (cost.covered, cost.filled, cost.painted_over) == (3, filled, filled - 1)));
+        assert!(costs.iter().all(|cost| cost.rounding == 0.0), "quarters are exact");
+    }
+    let faces = textbook::faces_at(&drawing, [3, 4]);
+    let told: Vec<_> = faces.iter().map(|face| (face.face[0], face.depth, face.behind)).collect();
+    assert_eq!(told, [(0, 0.25, None), (1, 0.75, None), (2, 0.5, Some(0.25))]);
+    // Whole numbers of 16 bits don't have a quarter.
+    let coarse = Drawing { depth_format: DepthFormat::Fixed16, ..drawing };
+    let costs = at_once(textbook::cost(&coarse, &Progress::default())).expect("not cancelled");
+    assert!(costs.iter().all(|cost| (0.25 / 65_535.0 - cost.rounding).abs() < 1e-7), "{:?}", costs[0]);
 }

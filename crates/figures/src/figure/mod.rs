@@ -40,7 +40,7 @@ pub use localized::Localized;
 pub use observer::Observer;
 pub use other_side::OtherSide;
 pub use points::NamedPoint;
-pub use reveal::{Depth, Outside, Reveal, ShadowReveal};
+pub use reveal::{CostReveal, Depth, Outside, Reveal, ShadowReveal};
 pub use screen::{Arrangement, Explanation, Screen, ScreenEntry, ScreenMatrix};
 pub use show::{
     Measure, Measured, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep,

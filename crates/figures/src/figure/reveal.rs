@@ -23,6 +23,25 @@ pub struct Reveal {
     pub texture: Option<TextureReveal>,
     /// The inner work of shadows.
     pub shadows: Option<ShadowReveal>,
+    /// The image is tinted with the cost of each pixel.
+    pub cost: Option<CostReveal>,
+}
+
+crate::worded! {
+    /// What a pixel cost, or how far it's off (`[reveal] cost`).
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum CostReveal {
+        /// How often it was filled, on average over its samples.
+        Overdraw = "overdraw",
+        /// The operations and memory accesses of all stages that work on pixels.
+        Operations = "operations",
+        /// The distance between the stored depth and the exact one, by the grid of vertices and the depth format.
+        Rounding = "rounding",
+        /// The greatest difference of a channel from the exact image, of 255.
+        Error = "error",
+    }
+    /// Its name in a figure file.
+    pub fn name
 }
 
 /// The inner work of shadows, made visible (`[reveal] shadows`). With each of them the volume of the light appears in

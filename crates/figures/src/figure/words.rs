@@ -1,10 +1,10 @@
 //! The words of a figure file, each name in the file with its value.
 
 use super::{
-    Arrangement, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix, ShadowReveal,
-    StagePicture, TriangleStep, View, WindowSide,
+    Arrangement, CostReveal, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix,
+    ShadowReveal, StagePicture, TriangleStep, View, WindowSide,
 };
-use crate::appearance::{DepthFormat, HiddenLines, Shading, TextureReveal, Theme, VertexFormat, Visibility};
+use crate::appearance::{DepthFormat, FaceOrder, HiddenLines, Shading, TextureReveal, Theme, VertexFormat, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection, SensorFit};
 use crate::scene::{LightKind, Preset, Shape};
 use crate::stage::Stage;
@@ -55,6 +55,9 @@ pub const VERTEX_FORMATS: Words<VertexFormat> = &[
     ("fixed-16.16", VertexFormat::Fixed16),
 ];
 
+/// `[style] order`
+pub const FACE_ORDERS: Words<FaceOrder> = FaceOrder::NAMED;
+
 /// `[reveal] depth`, besides `true` and `false`
 pub const DEPTHS: Words<Depth> = &[("linear", Depth::Linear)];
 
@@ -68,6 +71,9 @@ pub const TEXTURE_REVEALS: Words<TextureReveal> =
 /// `[reveal] shadows`
 pub const SHADOW_REVEALS: Words<ShadowReveal> =
     &[("map", ShadowReveal::Map), ("acne", ShadowReveal::Acne), ("truth", ShadowReveal::Truth)];
+
+/// `[reveal] cost`
+pub const COST_REVEALS: Words<CostReveal> = CostReveal::NAMED;
 
 /// `[[scene.objects]] shape`. Shapes with data are empty here.
 pub const SHAPES: Words<Shape> = Shape::NAMED;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::drawing::{Drawing, Surface, SurfaceLight};
+use crate::drawing::{Drawing, Surface};
 use crate::pipeline::operations::{Elements, operations};
 use crate::pipeline::{Frame, ObjectReport, OverBudget, Stage, StageReport};
 use crate::raster::Work;
@@ -33,7 +33,13 @@ impl RenderReport {
         let mut stages = frame.report.clone();
         for report in stages.iter_mut().filter(|report| report.ran) {
             complete(report, &frame.drawing, work, on_window);
-            report.operations = operations(report.stage, elements(report, frame, work));
+            if !report.stage.is_raster() {
+                let (entering, leaving) = report.counts.unwrap_or_default();
+                let lamps = frame.lamps as u64;
+                let (entering, leaving, in_order) = (entering as u64, leaving as u64, frame.drawing.painted_in_order);
+                let elements = Elements { entering, leaving, lamps, lit_pixels: 0, in_order };
+                report.operations = operations(report.stage, elements);
+            }
         }
         let known = stages.iter().filter_map(|report| report.time).sum();
         if let Some(traversal) = stages.iter_mut().find(|report| report.stage == Stage::Traverse) {
@@ -41,33 +47,6 @@ impl RenderReport {
         }
         let labels = LabelPlace::all(&frame.drawing);
         Self { stages, objects: frame.objects.clone(), total, over_budget: frame.over_budget.clone(), labels }
-    }
-}
-
-/// The elements that a stage worked on. A stage that the report counts by its triangles works on their pixels. They
-/// have their share of all drawn pixels.
-fn elements(report: &StageReport, frame: &Frame, work: Work) -> Elements {
-    let drawing = &frame.drawing;
-    let pixels = |weight: &dyn Fn(&Surface) -> usize| {
-        let triangles: usize = drawing.surfaces.iter().map(|surface| weight(surface) * surface.triangles.len()).sum();
-        let drawn = work.written / u64::from(drawing.antialias.count());
-        drawn * triangles as u64 / work.triangles.max(1) as u64
-    };
-    let (entering, leaving) = report.counts.unwrap_or_default();
-    let entering = match report.stage {
-        Stage::Interpolate => pixels(&|surface| usize::from(surface.varies())),
-        Stage::Texture => pixels(&|surface| usize::from(surface.is_textured())),
-        Stage::Shadow => pixels(&|surface| surface.shadows.len()),
-        Stage::Blend => pixels(&|surface| usize::from(surface.translucent)),
-        _ => entering as u64,
-    };
-    let is_lit = |surface: &Surface| usize::from(matches!(surface.light, SurfaceLight::PerPixel(_)));
-    Elements {
-        entering,
-        leaving: leaving as u64,
-        lamps: frame.lamps as u64,
-        lit_pixels: pixels(&is_lit),
-        in_order: drawing.painted_in_order,
     }
 }
 

@@ -9,6 +9,7 @@ use std::time::Duration;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 
 use super::compared::{Differences, counted_requests, differing_share, joined};
+use super::cost::FoundCosts;
 use super::plate::Plates;
 use super::shadow_truth::FoundShadows;
 use super::{FollowedTriangle, Pixels, RenderReport};
@@ -31,6 +32,7 @@ pub struct Renderer {
     on_window: Option<(Request, Arc<Texture>)>,
     triangle: FollowedTriangle,
     shadows: FoundShadows,
+    costs: FoundCosts,
     /// The images whose differing pixels were counted last, and their share.
     counted: Option<([Request; 2], f64)>,
     /// For pictures made at the same time as its own.
@@ -57,6 +59,7 @@ impl Renderer {
             on_window: None,
             triangle: FollowedTriangle::default(),
             shadows: FoundShadows::default(),
+            costs: FoundCosts::default(),
             counted: None,
             beside: Vec::new(),
             clock: None,
@@ -208,9 +211,11 @@ impl Renderer {
         };
         let overlay = self.triangle.overlay(request).await;
         let truth = self.shadows.of(request, &self.progress).await;
-        let followed = (overlay.is_some() || truth.is_some()).then(|| Request {
+        let cost = self.costs.of(request, &self.shadow_maps, &self.progress).await;
+        let followed = (overlay.is_some() || truth.is_some() || cost.is_some()).then(|| Request {
             triangle: overlay,
             shadow_truth: truth,
+            cost,
             ..request.clone()
         });
         let request = followed.as_ref().unwrap_or(request);

@@ -288,8 +288,10 @@ impl FacePainter {
 /// True for a picture that shows something as wide as its pixels, because with more of them it would be another
 /// picture.
 fn shows_pixels(request: &Request) -> bool {
-    let Reveal { texture, shadows, .. } = request.shot.look.reveal;
-    matches!(texture, Some(TextureReveal::Levels | TextureReveal::Texels)) || shadows == Some(ShadowReveal::Acne)
+    let Reveal { texture, shadows, cost, .. } = request.shot.look.reveal;
+    cost.is_some()
+        || matches!(texture, Some(TextureReveal::Levels | TextureReveal::Texels))
+        || shadows == Some(ShadowReveal::Acne)
 }
 
 /// Other versions of a picture, each made when a plate of it needs one.

@@ -70,6 +70,7 @@ use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_first, used_area};
 pub use compared::{Side, overlay};
+pub use image::cost::CostMap;
 pub use image::depth;
 pub use image::light_view::{ShadowAt, shadows_at};
 pub use interact::cameras::camera_at;

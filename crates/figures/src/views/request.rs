@@ -6,8 +6,8 @@ use std::sync::{Arc, OnceLock};
 use super::pixels::image_frame;
 use super::words::values::done;
 use super::{
-    Ghost, Hover, Labels, Look, ObjectTransform, Picture, Probe, Projector, ShadowTruth, Shot, Size, TriangleOverlay,
-    View,
+    CostMap, Ghost, Hover, Labels, Look, ObjectTransform, Picture, Probe, Projector, ShadowTruth, Shot, Size,
+    TriangleOverlay, View,
 };
 use crate::camera::{Camera, Decomposition, Operation};
 use crate::figure::{Figure, Measured, Observer, ShownStep};
@@ -49,6 +49,8 @@ pub struct Request {
     pub projector: Option<Option<Projector>>,
     /// The places where the shadow maps of the image are wrong. Only the renderer sets it.
     pub shadow_truth: Option<Arc<ShadowTruth>>,
+    /// What the pixels of the image cost. Only the renderer sets it.
+    pub cost: Option<Arc<CostMap>>,
 }
 
 /// The settings of an output, independent of the content.
@@ -118,6 +120,7 @@ impl Request {
             triangle: None,
             projector: None,
             shadow_truth: None,
+            cost: None,
         }
     }
 
@@ -197,6 +200,7 @@ impl Request {
             output: Output::Pixels,
             triangle: None,
             shadow_truth: None,
+            cost: None,
             ..self.clone()
         }
     }

@@ -151,6 +151,10 @@ impl Shot {
             ..Show::default()
         };
         let mut look = Look { reveal: self.revealed_in(view), ..self.look };
+        if view != View::Image {
+            // Neither changes the pixels of the image on the window.
+            (look.style.order, look.reveal.cost) = Default::default();
+        }
         if view == View::Canonical {
             // Depths are stored for the image, which the world shows on the window, with its photograph.
             look.style = Style { depth_format: DepthFormat::default(), ..look.style.with_exact_vertices() };

@@ -1,7 +1,9 @@
 //! The stages of the pipeline, and the reason why each runs or is skipped.
 
 pub use super::reasons::{planes, reason};
+use crate::appearance::FaceOrder;
 use crate::numbers;
+use crate::picture::{Costs, PricedFace};
 use crate::pipeline::{Containment, FacesDone, ObjectReport, Reason, Stage, StageReport};
 use crate::stage::Operations;
 
@@ -59,6 +61,33 @@ pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
     let counted = [(float, float_name), (integer, integer_name), (memory, memory_name)].into_iter();
     let said: Vec<String> = counted.filter(|(n, _)| *n > 0).map(|(n, name)| format!("{} {name}", count(n))).collect();
     (!said.is_empty()).then(|| said.join(", "))
+}
+
+/// The share of fills that were painted over, and what it would be in other orders of the faces. Empty without fills.
+pub fn needless(lang: Lang, costs: &Costs) -> String {
+    let line = |(place, &(order, [fills, over])): (usize, &(FaceOrder, [u64; 2]))| {
+        let share = lang.mark().number(100.0 * over as f64 / fills as f64, 2);
+        match order {
+            _ if place == 0 => text!(lang, needless, share),
+            FaceOrder::AsListed => text!(lang, needless_as_listed, share),
+            FaceOrder::FrontToBack => text!(lang, needless_front, share),
+            FaceOrder::BackToFront => text!(lang, needless_back, share),
+        }
+    };
+    let counted = costs.fills.iter().enumerate().filter(|(_, (_, [fills, _]))| *fills > 0);
+    counted.map(line).collect::<Vec<_>>().join(" ")
+}
+
+/// A face at a pixel: its distance from the eye, what hides it, and its cost.
+pub fn face(lang: Lang, face: &PricedFace) -> String {
+    let number = |value: f64| lang.mark().number(value, 4);
+    let operations = numbers::in_threes(usize::try_from(face.operations).unwrap_or(usize::MAX));
+    let distance = number(face.distance);
+    match face.behind.map(number) {
+        None => text!(lang, face_drawn, distance, operations),
+        Some(behind) if face.is_partly_drawn => text!(lang, face_partly, distance, behind, operations),
+        Some(behind) => text!(lang, face_hidden, distance, behind, operations),
+    }
 }
 
 /// The action of a stage, in a sentence, with the place in the notes.

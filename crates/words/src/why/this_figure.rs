@@ -1,7 +1,7 @@
 //! The words of the study of the figure at hand: error, time and memory of each way to draw it.
 
 use super::reasons::reason;
-use crate::figure::words::{DEPTH_FORMATS, SHADINGS, VISIBILITIES, Words};
+use crate::figure::words::{DEPTH_FORMATS, FACE_ORDERS, SHADINGS, VISIBILITIES, Words};
 use crate::limits::{MAX_RAY_TRIANGLES, MAX_STEPPED_PIXELS};
 use crate::numbers::{in_threes, significant};
 use crate::numerics::this_figure::{
@@ -42,6 +42,7 @@ pub fn value(lang: Lang, scene: &SceneSpec, key: Key, value: Value) -> String {
     match (key, value) {
         (Key::Visibility, Value::Word(word)) => named(VISIBILITIES, &labels.visibilities, word),
         (Key::DepthFormat, Value::Word(word)) => named(DEPTH_FORMATS, &labels.depth_formats, word),
+        (Key::Order, Value::Word(word)) => named(FACE_ORDERS, &labels.face_orders, word),
         (Key::Shading, Value::Word(word)) => named(SHADINGS, &labels.shadings, word),
         (Key::Filter(k), Value::Word(word)) => {
             let t = scenes::texts(lang);
@@ -81,10 +82,10 @@ fn way_of_hiding(study: &Study, way: &Way) -> Option<Value> {
     study.set(way).find_map(|(key, value)| (key == Key::Visibility).then_some(value))
 }
 
-/// Values in words. Without a depth buffer, its format means nothing.
+/// Values in words. Without a depth buffer, its format and the order of faces mean nothing.
 fn values(lang: Lang, scene: &SceneSpec, of: impl Iterator<Item = (Key, Value)>, visibility: Option<Value>) -> String {
     let has_depths = visibility == Some(Value::Word("depth-buffer"));
-    let of = of.filter(|(key, _)| has_depths || *key != Key::DepthFormat);
+    let of = of.filter(|(key, _)| has_depths || !matches!(key, Key::DepthFormat | Key::Order));
     let text = of.map(|(key, of)| value(lang, scene, key, of)).collect::<Vec<_>>().join(", ");
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())

@@ -424,6 +424,7 @@ mod tests {
             painted_in_order: false,
             depth_format: Default::default(),
             fine_grid: false,
+            order: Default::default(),
             surfaces: vec![Surface::solid(WALL.to_vec(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(200, 200, 200))],
             strokes: vec![StrokeSet::line(points.to_vec(), style)],
             areas: Vec::new(),

@@ -92,7 +92,7 @@ pub struct StageReport {
     /// Its time; `None` without a clock, and for stages that run together with another.
     pub time: Option<Duration>,
     /// Its operations by the textbook, as soon as the picture is painted. None if they aren't counted
-    /// ([`Stage::is_counted`]).
+    /// ([`Stage::is_counted`]), or for work on pixels until these are counted one by one.
     pub operations: Operations,
 }
 

@@ -26,6 +26,11 @@ pub(super) struct Band<'a> {
     pub(super) depths: &'a mut [f32],
     /// The slope of the face whose depth was written at the first sample (packed). Empty if not requested.
     pub(super) slopes: &'a mut [u32],
+    /// The place in the list of the face whose depth was written, for each sample. Empty if faces come as they're
+    /// listed, since the first one is painted first then.
+    pub(super) places: &'a mut [u32],
+    /// The place of the first triangle of the current surface.
+    pub(super) first_place: u32,
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,
     /// The greatest number of the format of the depths. 0 if they are stored as they are.

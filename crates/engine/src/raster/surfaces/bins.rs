@@ -9,6 +9,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
+use crate::appearance::FaceOrder;
 use crate::drawing::{Drawing, Surface};
 use crate::simd::prelude::*;
 use crate::simd::with_vectors;
@@ -20,19 +21,20 @@ use super::setup::Size;
 const CHUNK: usize = 8192;
 
 /// The opaque triangles of a picture by band, and the translucent ones from back to front. In a drawing that is painted
-/// in order, all triangles are treated as the opaque ones here. Kept between pictures.
+/// in order, all triangles are treated as the opaque ones here. In one with an order of its own for opaque triangles,
+/// they're treated as the translucent ones, and precede these. Kept between pictures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bins {
     chunks: Vec<Stretch>,
     used: usize,
     /// Triangles that may own a sample.
     pub(super) kept: usize,
-    translucent: Vec<Translucent>,
-    /// The translucent triangles that touch each band, from back to front.
+    sorted: Vec<Sorted>,
+    /// The sorted triangles that touch each band.
     runs: Vec<Runs>,
 }
 
-/// Triangles from back to front.
+/// Triangles in their order.
 #[derive(Clone, Debug, Default)]
 struct Runs {
     triangles: Vec<u32>,
@@ -75,10 +77,12 @@ struct Stretch {
     kept: usize,
 }
 
-/// A translucent triangle.
+/// A triangle whose depth decides when it's painted.
 #[derive(Clone, Copy, Debug)]
-struct Translucent {
-    /// Sum of the depths of its vertices: the order of centroids.
+struct Sorted {
+    /// 0 if it's opaque, 1 if it's translucent, 2 if it also has no depth test: it lies over all others then.
+    layer: u8,
+    /// Sum of the depths of its vertices: the order of centroids. Negative if the nearest comes first.
     depth: f32,
     surface: usize,
     triangle: u32,
@@ -92,7 +96,7 @@ impl Bins {
     /// power of two.
     pub(super) fn sort(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize, bands: usize) {
         self.used = 0;
-        let listed = |s: &Surface| drawing.painted_in_order || !s.translucent;
+        let listed = |s: &Surface| !is_sorted(drawing, s);
         for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| listed(s)) {
             for first in (0..s.triangles.len()).step_by(CHUNK) {
                 if self.used == self.chunks.len() {
@@ -112,19 +116,21 @@ impl Bins {
             chunks.iter_mut().for_each(fill);
         }
         let kept: usize = self.chunks[..self.used].iter().map(|chunk| chunk.kept).sum();
-        self.sort_translucent(drawing, many, size, height);
+        self.sort_by_depth(drawing, many, size, height);
         self.sort_runs(bands);
-        self.kept = kept + self.translucent.len();
+        self.kept = kept + self.sorted.len();
     }
 
-    fn sort_translucent(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize) {
-        self.translucent.clear();
-        let sorted = |s: &Surface| !drawing.painted_in_order && s.translucent;
-        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| sorted(s)) {
+    fn sort_by_depth(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize) {
+        self.sorted.clear();
+        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| is_sorted(drawing, s)) {
+            let layer = u8::from(s.translucent) + u8::from(s.translucent && !s.depth_test);
+            let sign = if layer == 0 && drawing.order == FaceOrder::FrontToBack { -1.0 } else { 1.0 };
             boxes(s, 0..s.triangles.len(), many, size, |triangle, rows, columns| {
                 let depth = |k: usize| s.positions[s.triangles[triangle as usize][k] as usize][2];
-                self.translucent.push(Translucent {
-                    depth: depth(0) + depth(1) + depth(2),
+                self.sorted.push(Sorted {
+                    layer,
+                    depth: sign * (depth(0) + depth(1) + depth(2)),
                     surface,
                     triangle,
                     columns,
@@ -133,10 +139,8 @@ impl Bins {
                 });
             });
         }
-        // Untested triangles lie over all tested ones, whatever their depths. The sort is stable, so the first in the
-        // drawing is drawn first if depths are equal.
-        let is_over = |t: &Translucent| !drawing.surfaces[t.surface].depth_test;
-        self.translucent.sort_by(|a, b| is_over(a).cmp(&is_over(b)).then(a.depth.total_cmp(&b.depth)));
+        // The sort is stable, so the first in the drawing is drawn first if depths are equal.
+        self.sorted.sort_by(|a, b| a.layer.cmp(&b.layer).then(a.depth.total_cmp(&b.depth)));
     }
 
     fn sort_runs(&mut self, bands: usize) {
@@ -146,7 +150,7 @@ impl Bins {
             runs.columns = ColumnSpan::default();
             runs.surfaces.clear();
         }
-        for t in &self.translucent {
+        for t in &self.sorted {
             for runs in self.runs.get_mut(t.first_band..=t.last_band).unwrap_or_default() {
                 runs.triangles.push(t.triangle);
                 runs.columns = runs.columns.and(t.columns);
@@ -167,18 +171,17 @@ impl Bins {
         first..end
     }
 
-    /// The triangles that touch a band, surface and numbers: the opaque ones in the order of the drawing, then the
-    /// translucent ones from back to front.
+    /// The triangles that touch a band, surface and numbers: those in the order of the drawing, then the sorted ones.
     pub(super) fn band(&self, band: usize) -> impl Iterator<Item = (usize, &[u32])> {
-        let opaque =
+        let listed =
             self.chunks[..self.used].iter().map(move |chunk| (chunk.surface, chunk.bands[band].triangles.as_slice()));
         let runs = &self.runs[band];
-        let translucent = runs.surfaces.iter().scan(0, |start, &(surface, end)| {
+        let sorted = runs.surfaces.iter().scan(0, |start, &(surface, end)| {
             let triangles = &runs.triangles[*start..end];
             *start = end;
             Some((surface, triangles))
         });
-        opaque.filter(|(_, triangles)| !triangles.is_empty()).chain(translucent)
+        listed.filter(|(_, triangles)| !triangles.is_empty()).chain(sorted)
     }
 }
 
@@ -202,6 +205,11 @@ impl Stretch {
             }
         });
     }
+}
+
+/// True if the depths of a surface's triangles decide when they're painted.
+fn is_sorted(drawing: &Drawing, s: &Surface) -> bool {
+    !drawing.painted_in_order && (s.translucent || s.depth_test && drawing.face_order() != FaceOrder::AsListed)
 }
 
 /// Calls `found` for each triangle that may own a sample, in order, with the rows and columns of the picture that it

@@ -113,8 +113,9 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
             // Its edge functions fit in 32 bits, so it's scanned tile by tile over its box.
             let columns = batch.left[l]..batch.right[l];
             let origin = [set_up.origin[0][l], set_up.origin[1][l]];
+            let z = depths.of(l);
             let painter =
-                TrianglePainter::<K, S, C::Simple>::new(simd, origin, depths.of(l), band, surface, colors.of(l));
+                TrianglePainter::<K, S, C::Simple>::new(simd, origin, z, triangles[l], band, surface, colors.of(l));
             painter.small(band, columns, rows, &set_up.edges_of(l));
         } else {
             // It's large, a sliver, or has colours that perspective bends. Painted on its own, in 64 bits, row by row.
@@ -127,7 +128,15 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
             }
             if let Some(shader) = C::alone(simd, surface, &triangle, triangles[l], corners) {
                 let z = triangle.plane([z[0][l], z[1][l], z[2][l]]);
-                let painter = TrianglePainter::<K, S, C::Shader>::new(simd, triangle.origin, z, band, surface, shader);
+                let painter = TrianglePainter::<K, S, C::Shader>::new(
+                    simd,
+                    triangle.origin,
+                    z,
+                    triangles[l],
+                    band,
+                    surface,
+                    shader,
+                );
                 painter.wide(band, rows, &borders);
             }
         }
@@ -168,6 +177,8 @@ struct TrianglePainter<K: Simd, const S: usize, P> {
     simd: K,
     origin: [f32; 2],
     z: AffineValue,
+    /// Its place in the list of all.
+    place: u32,
     /// The change from the depth at the centre to that at each sample.
     depth_steps: [f32; S],
     depth_test: bool,
@@ -179,7 +190,7 @@ struct TrianglePainter<K: Simd, const S: usize, P> {
 
 impl<K: Simd, const S: usize, P: Shader<K>> TrianglePainter<K, S, P> {
     #[inline(always)]
-    fn new(simd: K, origin: [f32; 2], z: AffineValue, band: &Band, surface: &Surface, shader: P) -> Self {
+    fn new(simd: K, origin: [f32; 2], z: AffineValue, number: u32, band: &Band, surface: &Surface, shader: P) -> Self {
         // Depth is affine, so a sample's differs from the centre's by the same everywhere.
         let mut depth_steps = [0.0; S];
         for (step, sample) in depth_steps.iter_mut().zip(band.samples) {
@@ -187,7 +198,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> TrianglePainter<K, S, P> {
         }
         let depth_test = surface.depth_test && !band.depths.is_empty();
         let (in_order, greatest, translucent) = (band.in_order, band.greatest, surface.translucent);
-        Self { simd, origin, z, depth_steps, depth_test, in_order, greatest, translucent, shader }
+        let place = band.first_place.wrapping_add(number);
+        Self { simd, origin, z, place, depth_steps, depth_test, in_order, greatest, translucent, shader }
     }
 
     /// Fills a triangle by its edge functions, each given by its change to the right, its change down, and its value at
@@ -319,7 +331,16 @@ impl<K: Simd, const S: usize, P: Shader<K>> TrianglePainter<K, S, P> {
                 let place = place.wrapping_add(s * band.plane);
                 let Some(old) = load::<K, f32x8<K>>(self.simd, band.depths, place) else { return };
                 if !self.in_order {
-                    *covered &= z.simd_gt(old);
+                    let mut is_visible = z.simd_gt(old);
+                    if !self.translucent
+                        && let Some(places) = load::<K, u32x8<K>>(self.simd, band.places, place)
+                    {
+                        // Of equal depths, the first in the list.
+                        is_visible |= z.simd_ge(old) & places.simd_gt(self.place);
+                        let own = u32x8::splat(self.simd, self.place);
+                        store((*covered & is_visible).select(own, places), band.places, place);
+                    }
+                    *covered &= is_visible;
                 }
                 if !self.translucent {
                     store(covered.select(z, old), band.depths, place);

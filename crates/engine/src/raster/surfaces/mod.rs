@@ -21,7 +21,8 @@ use std::ops::Range;
 
 use tiny_skia::Pixmap;
 
-use crate::drawing::Drawing;
+use crate::appearance::FaceOrder;
+use crate::drawing::{Drawing, Surface};
 use crate::progress::Progress;
 use crate::raster::bands::each_band;
 use crate::raster::textbook;
@@ -54,6 +55,8 @@ struct Scratch {
     colors: Vec<Pixel>,
     /// Depths of the samples if a pixel has more than one. Otherwise they go straight to the depth buffer.
     depths: Vec<f32>,
+    /// The places of faces in the list, if they come in another order.
+    places: Vec<u32>,
     counts: Counts,
 }
 
@@ -83,6 +86,9 @@ struct SharedByBands<'a> {
     pitch: usize,
     background: Pixel,
     depth_test: bool,
+    /// Opaque triangles come in another order than in the list, and the place of the first of each surface there.
+    sorted: bool,
+    first_places: Vec<u32>,
     want_slopes: bool,
     want_counts: bool,
 }
@@ -104,6 +110,7 @@ impl Surfaces {
         let bands = height.div_ceil(rows);
         self.bins.sort(drawing, samples.len() > 1, size, rows, bands);
         let depth_test = drawing.surfaces.iter().any(|s| s.depth_test && !s.translucent);
+        let sorted = drawing.face_order() != FaceOrder::AsListed;
         // A tile may reach eight pixels to the right of its first.
         let pitch = width.next_multiple_of(LANES) + LANES;
         depth.reset([width, height], samples[0], rows, pitch);
@@ -117,6 +124,8 @@ impl Surfaces {
             pitch,
             background: premultiply(drawing.background),
             depth_test,
+            sorted,
+            first_places: if sorted { first_places(drawing) } else { Vec::new() },
             want_slopes: depth_test && wanted.slopes,
             want_counts: wanted.counts,
         };
@@ -145,6 +154,17 @@ impl Surfaces {
         let sum = |count: fn(&Scratch) -> u64| self.scratch.iter().map(count).sum();
         (self.bins.kept, sum(|scratch| scratch.counts.covered), sum(|scratch| scratch.counts.written))
     }
+}
+
+/// The place of the first triangle of each surface among all triangles.
+fn first_places(drawing: &Drawing) -> Vec<u32> {
+    let mut place = 0_u32;
+    let next = |surface: &Surface| {
+        let first = place;
+        place = place.saturating_add(u32::try_from(surface.triangles.len()).unwrap_or(u32::MAX));
+        first
+    };
+    drawing.surfaces.iter().map(next).collect()
 }
 
 /// Paints as the textbook does, on one thread, because a machine so old that it has no vectors doesn't get kernels of
@@ -185,6 +205,12 @@ impl Scratch {
                 depths[start + columns.start..start + columns.end].fill(f32::NEG_INFINITY);
             }
         }
+        let mut places: &mut [u32] = &mut [];
+        if frame.depth_test && frame.sorted {
+            // What they hold doesn't matter, because any depth is greater than that of no face.
+            fit(&mut self.places, samples.len() * plane, 0);
+            places = &mut self.places[..samples.len() * plane];
+        }
         slopes.resize(if frame.want_slopes { plane } else { 0 }, 0);
         #[expect(clippy::cast_possible_truncation, reason = "rows are at most 16384")]
         let (first, count) = ((job.band * frame.rows) as i32, rows as i32);
@@ -200,13 +226,16 @@ impl Scratch {
                 pitch: short_pitch,
                 plane: short_plane,
                 colors: &mut self.colors[set.clone()],
-                depths: depths.get_mut(set).unwrap_or_default(),
+                depths: depths.get_mut(set.clone()).unwrap_or_default(),
                 slopes: if k == 0 { slopes } else { &mut [] },
+                places: places.get_mut(set).unwrap_or_default(),
+                first_place: 0,
                 in_order: drawing.painted_in_order,
                 greatest: drawing.depth_format.greatest().unwrap_or(0.0),
                 counts: frame.want_counts.then_some(&mut self.counts),
             };
             for (surface, triangles) in frame.bins.band(job.band) {
+                band.first_place = frame.first_places.get(surface).copied().unwrap_or(0);
                 let surface = &drawing.surfaces[surface];
                 if together == 1 {
                     with_vectors!(simd => fill::<_, 1>(simd, &mut band, surface, triangles), else ());

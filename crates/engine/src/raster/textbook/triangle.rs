@@ -1,5 +1,7 @@
 //! A triangle of the textbook's rasterizer: its edges, and the planes of its attributes.
 
+use std::ops::Range;
+
 use crate::appearance::Rgba;
 use crate::drawing::{Base, Surface, SurfaceLight};
 use crate::raster::grid::{self, FINER, HIGHEST, REACH, STEEPEST, WIDEST, snapped_finely};
@@ -104,11 +106,12 @@ impl<'a> Triangle<'a> {
         [[a, b], [b, c], [c, a]]
     }
 
-    /// The pixels of the picture in the triangle's box.
-    pub(super) fn pixels(&self, size: [u32; 2]) -> impl Iterator<Item = [i32; 2]> {
-        let [columns, rows] = [0, 1].map(|k| {
+    /// The pixels of some rows of a picture in the triangle's box.
+    pub(super) fn pixels(&self, width: u32, rows: &Range<u32>) -> impl Iterator<Item = [i32; 2]> + use<> {
+        let [columns, rows] = [(0, &(0..width)), (1, rows)].map(|(k, all)| {
             let [p, q, r] = self.v.map(|v| v[k].div_euclid(STEPS));
-            p.min(q).min(r).max(0)..(p.max(q).max(r) + 1).min(size[k].cast_signed())
+            let [first, end] = [all.start, all.end].map(u32::cast_signed);
+            p.min(q).min(r).max(first)..(p.max(q).max(r) + 1).min(end)
         });
         rows.flat_map(move |y| columns.clone().map(move |x| [x, y]))
     }
@@ -116,6 +119,11 @@ impl<'a> Triangle<'a> {
     /// The way from the first vertex to the centre of a pixel, in pixels. Exact.
     pub(super) fn to_center(&self, pixel: [i32; 2]) -> [f32; 2] {
         [0, 1].map(|k| (pixel[k] * STEPS + STEPS / 2 - self.v[0][k]) as f32 / STEPS as f32)
+    }
+
+    /// The place of the first vertex on the grid, in pixels.
+    pub(super) fn origin(&self) -> [f64; 2] {
+        self.v[0].map(|v| f64::from(v) / f64::from(STEPS))
     }
 
     /// The plane through values at the three vertices. The differences to the first vertex are two linear equations for

@@ -12,8 +12,8 @@ use crate::figure::value::{
     ANGLE, POSITIVE, SAMPLES, SUBPIXEL_BITS, SWITCH, TEXT, VECTOR, angle_in, integer_in, number_in, write_told,
 };
 use crate::figure::words::{
-    self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PICTURES, PROJECTIONS, SCREEN_MATRICES,
-    SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VERTEX_FORMATS, VISIBILITIES,
+    self, ARRANGEMENTS, COST_REVEALS, DEPTH_FORMATS, DEPTHS, FACE_ORDERS, HIDDEN_LINES, OUTSIDES, PANELS, PICTURES,
+    PROJECTIONS, SCREEN_MATRICES, SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VERTEX_FORMATS, VISIBILITIES,
 };
 use crate::figure::{
     AXES_LENGTHS, Depth, Figure, Localized, NamedPoint, Observer, Photograph, Reveal, Screen, ScreenEntry,
@@ -146,6 +146,7 @@ fn style(keys: &mut Keys<'_>, style: &mut Style) {
     keys.rare_word("depth_format", DEPTH_FORMATS, &mut style.depth_format);
     keys.rare_word("vertex_format", VERTEX_FORMATS, &mut style.vertex_format);
     keys.rare("subpixel_bits", &SubpixelBits::default(), &SUBPIXEL_BITS, &mut style.subpixel_bits);
+    keys.rare_word("order", FACE_ORDERS, &mut style.order);
 }
 
 fn reveal(keys: &mut Keys<'_>, reveal: &mut Reveal) {
@@ -161,6 +162,7 @@ fn reveal(keys: &mut Keys<'_>, reveal: &mut Reveal) {
     keys.rare_word("outside", OUTSIDES, &mut reveal.outside);
     keys.choice("texture", TEXTURE_REVEALS, &mut reveal.texture);
     keys.choice("shadows", SHADOW_REVEALS, &mut reveal.shadows);
+    keys.choice("cost", COST_REVEALS, &mut reveal.cost);
     keys.switch("clipping", &mut reveal.clipping);
     keys.switch("divide_first", &mut reveal.divide_first);
     keys.switch("culled", &mut reveal.culled);

@@ -1,5 +1,6 @@
 //! The image: the scene as the figure's camera sees it, m × n pixels of (5.22), which aren't square if A ≠ m / n.
 
+pub(super) mod cost;
 pub mod depth;
 pub(super) mod light_view;
 pub(super) mod offscreen_arrows;
@@ -136,7 +137,7 @@ impl<'a> Image<'a> {
         };
         let mut drawn = pipeline.frame(request, scenes, &request.camera, target, &style, repaint);
         for drawing in std::iter::once(&mut drawn.drawing).chain(&mut drawn.before) {
-            drawing.depth_format = style.depth_format;
+            (drawing.depth_format, drawing.order) = (style.depth_format, style.order);
         }
         if request.finish.bare {
             // The drawing below has the texts of the scene itself.
@@ -193,6 +194,7 @@ impl<'a> Image<'a> {
             self.rows.extend(greys.legend(request, self.linear, palette));
         }
         self.rows.extend(light_view::rows(request, palette));
+        self.rows.extend(cost::rows(request, palette));
         self.rows.extend(revealed_scene::drawn_rows(drawn, request, palette));
         offscreen_arrows::in_image(&mut drawn.drawing, request, palette);
         if request.shot.look.reveal.vanishing {
@@ -243,6 +245,7 @@ impl<'a> Image<'a> {
     }
 
     fn finish(&mut self) {
+        cost::tint(&mut self.drawn, self.request);
         light_view::mark_wrong(&mut self.drawn.drawing, self.rect, self.request, self.palette);
         revealed_scene::explain(&mut self.drawn, self.request, self.legend.as_ref());
     }

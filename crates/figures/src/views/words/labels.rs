@@ -115,6 +115,14 @@ pub struct Labels {
     pub outsides: [&'static str; 4],
     /// The values of `[reveal] shadows`: none, then in the order of their words.
     pub shadow_reveals: [&'static str; 4],
+    /// The values of `[reveal] cost`: none, then in the order of their words.
+    pub costs: [&'static str; 5],
+    /// Before the share of fills that are painted over.
+    pub painted_over: &'static str,
+    /// Before the same share if faces came from front to back.
+    pub from_front: &'static str,
+    /// The values of `[style] order`.
+    pub face_orders: [&'static str; 3],
     /// No stage is shown.
     pub no_stage: &'static str,
     /// The parts of the world, in the order of [`WorldPart::ALL`].

@@ -5,8 +5,8 @@ use crate::camera::{Ndc, Operation};
 use crate::figure::WorldPart;
 use crate::figure::variation::VariedValue;
 use crate::figure::words::{
-    self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, OUTSIDES, PROJECTIONS, SHADINGS, SHADOW_REVEALS, STAGES, TEXTURE_REVEALS,
-    VISIBILITIES,
+    self, COST_REVEALS, DEPTH_FORMATS, FACE_ORDERS, HIDDEN_LINES, NDCS, OUTSIDES, PROJECTIONS, SHADINGS,
+    SHADOW_REVEALS, STAGES, TEXTURE_REVEALS, VISIBILITIES,
 };
 use crate::geometry::Angle;
 use crate::sanitize;
@@ -74,6 +74,14 @@ pub(in crate::views) fn said(key: &str, value: Option<&str>, labels: &Labels) ->
             revealed(OUTSIDES, &labels.outsides, value).map(|word| format!("{}: {word}", labels.outside_of))
         }
         ("reveal.shadows", value) => revealed(SHADOW_REVEALS, &labels.shadow_reveals, value).map(str::to_owned),
+        ("reveal.cost", value) => match value {
+            None => Some(labels.costs[0]),
+            Some(value) => word(COST_REVEALS, &labels.costs[1..], value),
+        }
+        .map(str::to_owned),
+        ("style.order", value) => {
+            word(FACE_ORDERS, &labels.face_orders, value.unwrap_or("as-listed")).map(str::to_owned)
+        }
         ("show.step.at", Some(value)) => Some(format!("{} {}", labels.step_number, printed(value, labels))),
         ("reveal.texture", value) => match value.map(|value| words::value(TEXTURE_REVEALS, value)) {
             None => Some(labels.with_w.to_owned()),

@@ -13,13 +13,13 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 
 use super::count::{Counter, numbered};
-use super::tiles::Tiles;
 use super::{Cause, ImageSpec};
 use crate::appearance::{DepthFormat, HiddenLines, Rgba, Shading, Style, TextureReveal, Visibility};
 use crate::camera::ImageSize;
 use crate::figure::ShadowReveal;
 use crate::limits::{MAX_RAY_TRIANGLES, MAX_STEPPED_PIXELS};
 use crate::picture::shadow_truth::{TrueLight, Verdict, arriving, by_rows, center, under};
+use crate::picture::tiles::Tiles;
 use crate::pipeline::shadow_rays::{SeenPoint, Solids, to_light};
 use crate::pipeline::{Pipeline, light_cameras};
 use crate::progress::Progress;

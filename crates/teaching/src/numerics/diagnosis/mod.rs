@@ -12,7 +12,6 @@ mod exact;
 mod place;
 mod repair;
 mod subject;
-pub(super) mod tiles;
 
 use glam::DVec3;
 

@@ -2,7 +2,7 @@
 
 use crate::appearance::{Filter, Samples, Shading, Style, Visibility};
 use crate::figure::Figure;
-use crate::figure::words::{DEPTH_FORMATS, SHADINGS, VISIBILITIES, Words};
+use crate::figure::words::{DEPTH_FORMATS, FACE_ORDERS, SHADINGS, VISIBILITIES, Words};
 use crate::limits::MAX_SHADOW_TEXELS;
 use crate::pipeline::{Plan, Reason, Stage};
 use crate::scene::{Light, ObjectPaint, Scene, SceneSpec, build, no_files};
@@ -20,6 +20,8 @@ pub enum Key {
     Visibility,
     /// `style.depth_format`
     DepthFormat,
+    /// `style.order`
+    Order,
     /// `style.antialias`
     Antialias,
     /// `style.shading`
@@ -38,6 +40,7 @@ impl Key {
         match self {
             Self::Visibility => "style.visibility".to_owned(),
             Self::DepthFormat => "style.depth_format".to_owned(),
+            Self::Order => "style.order".to_owned(),
             Self::Antialias => "style.antialias".to_owned(),
             Self::Shading => "style.shading".to_owned(),
             Self::Filter(k) => format!("scene.objects.{k}.filter"),
@@ -49,7 +52,7 @@ impl Key {
     /// Keys with the same number interact, so their values are tried together even if each is beaten by itself.
     pub(super) const fn group(self) -> usize {
         match self {
-            Self::Visibility | Self::DepthFormat => 0,
+            Self::Visibility | Self::DepthFormat | Self::Order => 0,
             Self::Antialias | Self::Filter(_) => 1,
             Self::Shading => 2,
             Self::ShadowMap(light) | Self::ShadowBias(light) => 3 + light,
@@ -116,10 +119,14 @@ pub(super) fn choices(figure: &Figure, scene: &Scene, plan: &Plan, minified: &[b
     let skipped = |stage| Some(plan.stage(stage)).filter(|stage| !stage.runs).map(|stage| WhyNot::Plan(stage.reason));
     let [no_hiding, no_faces] = [Stage::HiddenSurfaces, Stage::Fill].map(skipped);
     match no_hiding {
-        Some(why) => ["style.visibility", "style.depth_format"].into_iter().for_each(|key| leave(key, why)),
+        Some(why) => {
+            let keys = ["style.visibility", "style.depth_format", "style.order"];
+            keys.into_iter().for_each(|key| leave(key, why));
+        }
         None => {
             add(Key::Visibility, words(VISIBILITIES), word(VISIBILITIES, style.visibility));
             add(Key::DepthFormat, words(DEPTH_FORMATS), word(DEPTH_FORMATS, style.depth_format));
+            add(Key::Order, words(FACE_ORDERS), word(FACE_ORDERS, style.order));
         }
     }
     match no_faces {
@@ -200,16 +207,17 @@ fn own_objects(spec: &SceneSpec) -> usize {
 /// Places of values, one for each choice.
 pub(super) type Combination = Vec<usize>;
 
-/// A combination in which keys that mean nothing have the figure's value: a format of depths without a depth buffer.
+/// A combination in which keys that mean nothing have the figure's value: those of a depth buffer without one.
 pub(super) fn canonical(choices: &[Choice], mut combination: Combination) -> Combination {
     let value = |key: Key| {
         let place = choices.iter().position(|choice| choice.key == key)?;
         Some((place, choices[place].values[combination[place]]))
     };
-    if let (Some((_, visibility)), Some((format, _))) = (value(Key::Visibility), value(Key::DepthFormat))
+    if let (Some((_, visibility)), Some((format, _)), Some((order, _))) =
+        (value(Key::Visibility), value(Key::DepthFormat), value(Key::Order))
         && visibility != word(VISIBILITIES, Visibility::DepthBuffer)
     {
-        combination[format] = choices[format].own;
+        (combination[format], combination[order]) = (choices[format].own, choices[order].own);
     }
     combination
 }
@@ -221,6 +229,7 @@ pub fn apply(figure: &mut Figure, changes: &[(Key, Value)]) {
         match (key, value) {
             (Key::Visibility, _) => style.visibility = named(VISIBILITIES, value).unwrap_or(style.visibility),
             (Key::DepthFormat, _) => style.depth_format = named(DEPTH_FORMATS, value).unwrap_or(style.depth_format),
+            (Key::Order, _) => style.order = named(FACE_ORDERS, value).unwrap_or(style.order),
             (Key::Shading, _) => style.shading = named(SHADINGS, value).unwrap_or(style.shading),
             (Key::Antialias, Value::Number(count)) => {
                 let found = Samples::ALL.into_iter().find(|samples| f64::from(samples.count()) == count);

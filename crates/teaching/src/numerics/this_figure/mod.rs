@@ -11,28 +11,27 @@
 
 mod chart;
 mod choices;
-mod exact_image;
 mod savings;
 mod tables;
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use crate::appearance::{Samples, Shading, Visibility};
+use crate::appearance::{FaceOrder, Samples, Shading, Visibility};
 use crate::camera::ImageSize;
 use crate::clock;
 use crate::drawing::{Base, Drawing, Rays, ShadowMap, SurfaceLight};
 use crate::figure::{Figure, Reveal, Show};
 use crate::numerics::diagnosis::{Counter, ImageSpec, wrong_faces};
 use crate::numerics::times::{Interval, decide};
-use crate::picture::{Pixels, Renderer};
+pub use crate::picture::exact_image::{ExactImage, NoExactImage, SAMPLES};
+use crate::picture::{Pixels, Renderer, exact_image};
 use crate::progress::{Activity, Progress};
 use crate::scene::Scene;
 use crate::views::{Labels, Request, SharedScene, Size, View, image_frame};
 pub use chart::ChartWords;
 pub use choices::{Choice, Key, LeftOut, Value, WhyNot, apply};
 use choices::{Combination, canonical, chosen};
-pub use exact_image::{ExactImage, NoExactImage, SAMPLES};
 pub use savings::{Saving, savings};
 
 /// Up to this many combinations are all tried.
@@ -466,7 +465,8 @@ fn linear(channel: u8) -> f64 {
 }
 
 /// The bytes that the textbook's rasterizer holds for a drawing: its image, a colour for each sample if there are
-/// several, a depth for each sample in the format if depths are compared, shadow maps, and the arrays of its faces.
+/// several, a depth for each sample in the format if depths are compared, with the place of its face in the list if
+/// faces come in another order, shadow maps, and the arrays of its faces.
 fn bytes_of(drawing: &Drawing) -> usize {
     let pixels = drawing.width as usize * drawing.height as usize;
     let samples = usize::from(drawing.antialias.count());
@@ -475,6 +475,7 @@ fn bytes_of(drawing: &Drawing) -> usize {
     let mut maps: Vec<*const ShadowMap> = Vec::new();
     let mut bytes = 4 * pixels + if samples > 1 { 4 * pixels * samples } else { 0 };
     bytes += if has_depths { depth * pixels * samples } else { 0 };
+    bytes += if drawing.face_order() == FaceOrder::AsListed { 0 } else { 4 * pixels * samples };
     for surface in &drawing.surfaces {
         bytes += size_of_val(&surface.positions[..])
             + size_of_val(&surface.inverse_w[..])

@@ -23,6 +23,7 @@ fn drawing(strokes: &[(&[[f32; 3]], LineStyle)]) -> Drawing {
         painted_in_order: true,
         depth_format: Default::default(),
         fine_grid: false,
+        order: Default::default(),
         surfaces: Vec::new(),
         strokes: sets.collect(),
         areas: Vec::new(),

@@ -18,7 +18,7 @@ const MAX_LISTED: usize = 1 << 25;
 const MARGIN: f64 = 1.0;
 
 /// Triangles in view space (VRC), by tiles of the image.
-pub(in crate::numerics) struct Tiles<'a> {
+pub struct Tiles<'a> {
     camera: &'a Camera,
     image: ImageSize,
     triangles: Vec<Triangle>,
@@ -36,11 +36,11 @@ struct Triangle {
 
 /// The nearest face at a place.
 #[derive(Clone, Copy)]
-pub(in crate::numerics) struct Nearest {
+pub struct Nearest {
     /// Its number among all triangles.
-    pub(in crate::numerics) triangle: usize,
+    pub triangle: usize,
     /// Its distance from the plane of the eye.
-    pub(in crate::numerics) depth: f64,
+    pub depth: f64,
 }
 
 /// A ray in view space. Its points are origin + depth · `per_depth`.
@@ -51,11 +51,7 @@ struct DepthRay {
 
 impl<'a> Tiles<'a> {
     /// `None` if the lists of the tiles would be too long.
-    pub(in crate::numerics) fn new<'o>(
-        objects: impl Iterator<Item = &'o Object>,
-        camera: &'a Camera,
-        image: ImageSize,
-    ) -> Option<Self> {
+    pub fn new<'o>(objects: impl Iterator<Item = &'o Object>, camera: &'a Camera, image: ImageSize) -> Option<Self> {
         let [across, down] = [image.width, image.height].map(|side| tile(f64::from(side)) + 1);
         let mut tiles = Self { camera, image, triangles: Vec::new(), across, tiles: vec![Vec::new(); across * down] };
         let mut room = MAX_LISTED;
@@ -115,7 +111,7 @@ impl<'a> Tiles<'a> {
 
     /// The place of a point in front of the eye in the image, in pixels from the top left; `[0]` Eqs. (5.9), (5.10),
     /// (5.22).
-    pub(in crate::numerics) fn place(&self, p: DVec3) -> [f64; 2] {
+    pub fn place(&self, p: DVec3) -> [f64; 2] {
         let window = self.camera.window();
         let scale = match self.camera.projection() {
             Projection::Perspective => self.camera.near() / -p.z,
@@ -142,13 +138,13 @@ impl<'a> Tiles<'a> {
     }
 
     /// The nearest face at a place of the image, in pixels from the top left, between the front and the back plane.
-    pub(super) fn nearest(&self, place: [f64; 2]) -> Option<Nearest> {
+    pub fn nearest(&self, place: [f64; 2]) -> Option<Nearest> {
         self.met(place).reduce(|old, new| if new.depth < old.depth { new } else { old })
     }
 
     /// All faces at a place of the image, between the front and the back plane, the nearest first. Of faces at one
     /// depth, the first of the scene comes first.
-    pub(in crate::numerics) fn all(&self, place: [f64; 2]) -> Vec<Nearest> {
+    pub fn all(&self, place: [f64; 2]) -> Vec<Nearest> {
         let mut all: Vec<Nearest> = self.met(place).collect();
         all.sort_by(|a, b| a.depth.total_cmp(&b.depth));
         all
@@ -168,13 +164,13 @@ impl<'a> Tiles<'a> {
     }
 
     /// The corners of a triangle in view space.
-    pub(in crate::numerics) fn corners(&self, triangle: usize) -> Option<[DVec3; 3]> {
+    pub fn corners(&self, triangle: usize) -> Option<[DVec3; 3]> {
         Some(self.triangles.get(triangle)?.corners)
     }
 
     /// The point of the plane of a triangle at a place of the image, in view space. Not finite if the ray runs along
     /// the plane.
-    pub(in crate::numerics) fn on_plane(&self, [a, b, c]: [DVec3; 3], place: [f64; 2]) -> DVec3 {
+    pub fn on_plane(&self, [a, b, c]: [DVec3; 3], place: [f64; 2]) -> DVec3 {
         let DepthRay { origin, per_depth } = self.ray(place);
         let normal = (b - a).cross(c - a);
         origin + per_depth * (normal.dot(a - origin) / normal.dot(per_depth))
@@ -182,7 +178,7 @@ impl<'a> Tiles<'a> {
 
     /// The distance of the plane of a triangle behind a depth at a place of the image, in units of the error that the
     /// difference may have; `None` if the ray runs along the plane.
-    pub(super) fn behind(&self, triangle: usize, place: [f64; 2], depth: f64) -> Option<f64> {
+    pub fn behind(&self, triangle: usize, place: [f64; 2], depth: f64) -> Option<f64> {
         let DepthRay { origin, per_depth } = self.ray(place);
         let corners = self.triangles.get(triangle)?.corners;
         let [a, b, c] = corners;
@@ -196,7 +192,7 @@ impl<'a> Tiles<'a> {
     }
 
     /// The unit normal of a triangle, on either side; `None` if it has no area.
-    pub(super) fn normal(&self, triangle: usize) -> Option<DVec3> {
+    pub fn normal(&self, triangle: usize) -> Option<DVec3> {
         let [a, b, c] = self.triangles.get(triangle)?.corners;
         (b - a).cross(c - a).try_normalize()
     }

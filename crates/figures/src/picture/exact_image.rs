@@ -18,8 +18,8 @@ use crate::camera::{Camera, ImageSize, Projection};
 use crate::drawing::{Base, Drawing};
 use crate::geometry::try_unit;
 use crate::limits::{MAX_RAY_TRIANGLES, MAX_STEPPED_PIXELS};
-use crate::numerics::diagnosis::tiles::{Nearest, Tiles};
 use crate::picture::shadow_truth::{by_rows, center};
+use crate::picture::tiles::{Nearest, Tiles};
 use crate::picture::{Pixels, Renderer};
 use crate::pipeline::reflection::{AMBIENT, DIFFUSE, SHININESS, SPECULAR};
 use crate::pipeline::shadow_rays::Solids;
@@ -58,7 +58,7 @@ pub struct ExactImage {
     /// Rays from the eye and to the lights.
     pub rays: u64,
     /// For each object of the scene: true if its texture is smaller than its texels' size at any place that's visible.
-    pub(super) minified: Vec<bool>,
+    pub minified: Vec<bool>,
 }
 
 /// A colour, premultiplied, 0 … 255.
@@ -66,7 +66,10 @@ type Color = [f64; 4];
 
 /// Draws the exact image of a request for the image. Lines, marks and letters are drawn by the program, hidden by its
 /// best depth buffer: those of the request would be wrong as its faces are, if they're painted in order.
-pub(super) async fn exact_image(request: &Request, progress: &Progress) -> Result<ExactImage, NoExactImage> {
+///
+/// # Errors
+/// [`NoExactImage`] says why there is none.
+pub async fn exact_image(request: &Request, progress: &Progress) -> Result<ExactImage, NoExactImage> {
     let size = request.size;
     if u64::from(size.width) * u64::from(size.height) > MAX_STEPPED_PIXELS {
         return Err(NoExactImage::Pixels);
@@ -548,9 +551,30 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
-    use crate::numerics::this_figure::request_of;
-    use crate::numerics::this_figure::tests::{opened, small};
+    use crate::figure::read::parse;
+    use crate::figure::{Reveal, Show};
     use crate::progress::at_once;
+    use crate::scene::{build, no_files};
+    use crate::views::{SharedScene, Size, View, unlabelled};
+
+    fn small() -> Size {
+        Size { width: 96, height: 72, scale: 1.0 }
+    }
+
+    /// The image of a figure without the inner work that it reveals.
+    fn request_of(text: &str, size: Size) -> Request {
+        let mut figure = parse(text).unwrap();
+        (figure.reveal, figure.show) = (Reveal::default(), Show::default());
+        let scene = build(&figure.scene, &figure.style, &mut no_files).unwrap();
+        let camera = Camera::new(&figure.camera).unwrap();
+        Request::of(&figure, View::Image, &camera, &SharedScene::new(scene), unlabelled(), size)
+    }
+
+    /// The text of a figure of the program.
+    fn shipped(name: &str) -> String {
+        let path = format!("{}/../../assets/figures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_to_string(path).unwrap()
+    }
 
     /// The shortcut, against 64 rays for each pixel. Only light that changes smoothly may differ a little.
     #[test]
@@ -564,9 +588,7 @@ mod tests {
             ("pipeline/shadow-detached", 3.0),
             ("pipeline/phong", 3.0),
         ] {
-            let (figure, scene, camera) = opened(name);
-            let (request, _) =
-                request_of(&figure, &scene, &camera, crate::numerics::this_figure::tests::labels(), small());
+            let request = request_of(&shipped(name), small());
             let frame = image_frame(request.size, request.shot.look.image_aspect(&request.camera));
             let rays = Rays::new(&request, frame).unwrap();
             let (mut worst, mut saved) = (0.0_f64, 0);
@@ -589,10 +611,8 @@ mod tests {
                     rotate = [0, 0, 45]\nscale = [10, 10, 0.001]\ntranslate = [7.0710678, -7.0710678, 0]\n\
                     [camera]\nposition = [0, 0, 5]\nfocal_point = [0, 0, 0]\nprojection = \"parallel\"\nheight = 2\naspect = 1\n\
                     [image]\nwidth = 8\nheight = 8\n";
-        let (figure, scene, camera) = crate::numerics::this_figure::tests::read(text);
-        let labels = crate::numerics::this_figure::tests::labels();
-        let size = crate::views::Size { width: 8, height: 8, scale: 1.0 };
-        let (request, _) = request_of(&figure, &scene, &camera, labels, size);
+        let size = Size { width: 8, height: 8, scale: 1.0 };
+        let request = request_of(text, size);
         let rays = Rays::new(&request, image_frame(size, 1.0)).unwrap();
         let ground = rays.ground;
         let pixel = |i, j| rays.pixel([i, j], rays.edges[8 * j as usize + i as usize]);
@@ -606,17 +626,13 @@ mod tests {
     }
 
     fn exact_of(text: &str) -> ExactImage {
-        let (figure, scene, camera) = crate::numerics::this_figure::tests::read(text);
-        let labels = crate::numerics::this_figure::tests::labels();
-        let (request, _) = request_of(&figure, &scene, &camera, labels, small());
-        at_once(exact_image(&request, &Progress::default())).unwrap()
+        at_once(exact_image(&request_of(text, small()), &Progress::default())).unwrap()
     }
 
     /// Three bars, each over one and under another. The painter would also hide their outlines wrongly.
     #[test]
     fn the_exact_image_does_not_depend_on_what_the_figure_chooses() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/figures/pipeline/painter.toml");
-        let text = std::fs::read_to_string(path).unwrap();
+        let text = shipped("pipeline/painter");
         let with = |style: &str| exact_of(&text.replace("visibility   = \"painter\"\n", style)).pixels;
         let exact = with("");
         for style in ["visibility = \"painter\"\n", "depth_format = \"fixed-16\"\n", "antialias = 1\n"] {
@@ -633,9 +649,7 @@ mod tests {
         let exact = exact_of(text);
         assert!(exact.minified.iter().any(|minified| *minified));
         // The program reads the last level of detail here, which is the mean of the light.
-        let (figure, scene, camera) = crate::numerics::this_figure::tests::read(text);
-        let labels = crate::numerics::this_figure::tests::labels();
-        let drawn = Renderer::default().pixels(&request_of(&figure, &scene, &camera, labels, small()).0).unwrap();
+        let drawn = Renderer::default().pixels(&request_of(text, small())).unwrap();
         for (pixel, drawn) in exact.pixels.rgba().chunks_exact(4).zip(drawn.rgba().chunks_exact(4)) {
             assert!(pixel.iter().zip(drawn).all(|(a, b)| a.abs_diff(*b) <= 3), "{pixel:?} {drawn:?}");
         }
@@ -643,9 +657,7 @@ mod tests {
 
     #[test]
     fn what_is_too_large_is_refused() {
-        let (figure, scene, camera) = opened("house");
-        let size = crate::views::Size { width: 4096, height: 4096, scale: 1.0 };
-        let (request, _) = request_of(&figure, &scene, &camera, crate::numerics::this_figure::tests::labels(), size);
+        let request = request_of(&shipped("house"), Size { width: 4096, height: 4096, scale: 1.0 });
         let refused = at_once(exact_image(&request, &Progress::default())).err();
         assert_eq!(refused, Some(NoExactImage::Pixels));
     }
