@@ -38,7 +38,13 @@ pub fn impossible_camera(impossible: &ImpossibleCamera, scene: &Scene) -> Diagno
     let best = repairs.iter().copied().find(|camera| shows(camera)).or(repairs.first().copied());
     let repair = best.map(|camera| Repair { camera, style: *style, reveal: *reveal, shadow_bias: None });
     let finding = Finding { cause: cause(error), whole: Vec::new(), partly: Vec::new(), repair, pixels: None };
-    Diagnosis { visible: 0, covered: 0.0, findings: vec![finding], camera_error: Some(error.clone()) }
+    Diagnosis {
+        visible: 0,
+        covered: 0.0,
+        placed_within: 0.0,
+        findings: vec![finding],
+        camera_error: Some(error.clone()),
+    }
 }
 
 const fn cause(error: &CameraError) -> Cause {
