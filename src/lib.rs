@@ -14,8 +14,8 @@
 //! Start reading at [`camera`] for the model of the notes, and at [`pipeline`] for the way from a scene to a picture.
 
 pub use camera_lab_engine::{
-    appearance, camera, drawing, expression, geometry, lighting, limits, numbers, pipeline, progress, raster, sanitize,
-    scene, stage, text,
+    appearance, camera, chain, drawing, expression, geometry, lighting, limits, numbers, pipeline, progress, raster,
+    sanitize, scene, stage, text,
 };
 pub use camera_lab_figures::{chart, explain, export, figure, formula, inspect, picture, views};
 pub use camera_lab_teaching::{clock, exercises, lessons, numerics};

@@ -27,6 +27,7 @@ use camera_lab_words::{Lang, messages};
 struct Answer {
     visible: u64,
     covered: f64,
+    placed_within: f64,
     health: Vec<HealthLine>,
     findings: Vec<FindingLine>,
 }
@@ -166,6 +167,7 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
     let answer = Answer {
         visible: diagnosis.visible,
         covered: diagnosis.covered,
+        placed_within: diagnosis.placed_within,
         health: health.iter().map(line).collect(),
         findings: diagnosis.findings.iter().map(finding).chain(on_the_other_side).collect(),
     };
@@ -229,7 +231,11 @@ fn sentences(answer: &Answer, health: &[Health], lang: Lang) -> String {
     let mut text = String::new();
     // Writing to a String can't fail.
     if !health.is_empty() {
-        let _ = writeln!(text, "{}\n", coach::seen(lang, answer.visible, answer.covered));
+        let _ = writeln!(text, "{}", coach::seen(lang, answer.visible, answer.covered));
+        if let Some(placed) = coach::placed(lang, answer.placed_within) {
+            let _ = writeln!(text, "{placed}");
+        }
+        text.push('\n');
     }
     let _ = writeln!(text, "{}", t.findings);
     for finding in &answer.findings {

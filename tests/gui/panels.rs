@@ -429,6 +429,22 @@ fn numbers_are_those_of_the_report_with_as_many_digits_as_asked_for() {
 }
 
 #[test]
+fn bounds_stand_below_each_table_of_numbers() {
+    for (lang, t, proved) in
+        [(Lang::En, en::WINDOW, "15 digits proved"), (Lang::PtBr, pt::WINDOW, "15 dígitos provados")]
+    {
+        let mut window = Window::new(lang);
+        assert!(!window.says(proved));
+        window.click(t.bounds);
+        // √50 and its neighbour.
+        assert!(window.says("D, 1: 7.071067811865475 … 7.0710678118654755"), "D");
+        assert!(window.says(proved));
+        window.click(t.bounds);
+        assert!(!window.says(proved));
+    }
+}
+
+#[test]
 fn reset_brings_the_camera_of_the_file_back_and_can_be_undone() {
     let mut window = Window::new(Lang::En);
     window.enter("C x", "1");

@@ -4,9 +4,9 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::camera::{Camera, Convention, ImageSize, Operation, Parameters, Projection, Viewport};
+use camera_lab::chain::real::Real;
+use camera_lab::chain::{self, Vector};
 use camera_lab::geometry::Angle;
-use camera_lab::numerics::chain::{self, Vector};
-use camera_lab::numerics::real::Real;
 use camera_lab::numerics::reference::Reference;
 use glam::DVec3;
 use serde_json::Value;
@@ -84,7 +84,7 @@ fn a_camera_however_far_away_keeps_every_digit() {
         for projection in [Projection::Perspective, Projection::Parallel] {
             let parameters = far_away(decade, projection);
             let camera = Camera::new(&parameters).unwrap();
-            let basis = chain::basis::<Reference>(parameters.position, parameters.focal_point, parameters.view_up);
+            let basis = chain::basis::<Reference>(&chain::pose(&parameters));
             let from = |point: DVec3| Vector::<Reference>::of(point).minus(&Vector::of(parameters.focal_point));
             let distance = from(parameters.position).length();
             let exact = |point: DVec3| {

@@ -22,6 +22,7 @@ const CRATES: [(&str, &[Row]); 7] = [
             // The sine of whole degrees is exact there.
             ("expression", &["geometry"]),
             ("camera", &["geometry", "numbers", "expression"]),
+            ("chain", &["camera", "geometry"]),
             ("scene", &["geometry", "text"]),
             ("text", &[]),
             ("drawing", &[]),

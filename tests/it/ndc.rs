@@ -6,9 +6,9 @@
 use camera_lab::camera::{
     Camera, ClipSpace, ImageSize, InfiniteParallel, Ndc, Parameters, Projection, Stations, ViewWindow, Viewport,
 };
+use camera_lab::chain;
+use camera_lab::chain::real::Real;
 use camera_lab::inspect::Report;
-use camera_lab::numerics::chain;
-use camera_lab::numerics::real::Real;
 use camera_lab::numerics::reference::Reference;
 use glam::{DMat4, DVec3, DVec4, dcamera::rh::proj};
 use proptest::prelude::*;
@@ -265,7 +265,7 @@ fn the_matrices_are_those_that_other_libraries_print() {
 /// The rows Z and Y of M_p from z₀ (at F), z₁ (at B) and the direction of y, in 512 bits. With an infinite far plane,
 /// its limits.
 fn in_512_bits(p: &Parameters, ndc: Ndc) -> [[f64; 4]; 4] {
-    let mut matrix = chain::projection_matrix::<Reference>(p);
+    let mut matrix = chain::projection_matrix(&chain::Given::<Reference>::of(p), Ndc::default());
     let of = Reference::of;
     let [at_near, at_far] = ndc.depths().map(of);
     let (near, far) = (of(p.near), of(p.far));

@@ -22,6 +22,8 @@ pub struct Settings {
     pub aspect_follows_image: bool,
     /// True if the inverse matrices replace the matrices.
     pub inverse: bool,
+    /// True if the proved bounds of the numbers stand below them.
+    pub bounds: bool,
     /// The display of matrices, and the convention of NDC.
     pub conventions: Conventions,
     /// Significant digits of the numbers, 2 … 17.

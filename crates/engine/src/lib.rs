@@ -66,6 +66,7 @@ pub use tiny_skia;
 
 pub mod appearance;
 pub mod camera;
+pub mod chain;
 pub mod drawing;
 pub mod expression;
 pub mod geometry;

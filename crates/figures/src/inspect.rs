@@ -1,5 +1,6 @@
 //! Every number of a figure, as the command line prints it and the window shows it.
 
+mod bounds;
 pub mod quantity;
 
 use glam::{DMat4, DVec2, DVec3};
@@ -14,6 +15,7 @@ use crate::figure::words::{self, PROJECTIONS};
 use crate::figure::{Figure, NamedCamera};
 use crate::geometry::Plane;
 use crate::sanitize;
+pub use bounds::{Bounds, Conditions, proved_digits};
 pub use quantity::{BasisReport, LensReport, PlanesReport, PointReport, RayReport, SidesReport, WindowReport};
 
 /// The output of `camera-lab inspect`. The order of the fields is the order of the keys.

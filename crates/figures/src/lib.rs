@@ -6,8 +6,8 @@
 //! and write the results.
 
 use camera_lab_engine::{
-    appearance, camera, drawing, expression, geometry, limits, listed, numbers, pipeline, progress, raster, sanitize,
-    scene, stage, text, worded,
+    appearance, camera, chain, drawing, expression, geometry, limits, listed, numbers, pipeline, progress, raster,
+    sanitize, scene, stage, text, worded,
 };
 
 pub mod chart;

@@ -4,8 +4,8 @@
 //! judges answers and finds the step that went wrong. [`lessons`] reads lessons and checks their tasks.
 
 use camera_lab_engine::{
-    appearance, camera, drawing, expression, geometry, limits, listed, numbers, pipeline, progress, raster, scene,
-    worded,
+    appearance, camera, chain, drawing, expression, geometry, limits, listed, numbers, pipeline, progress, raster,
+    scene, worded,
 };
 use camera_lab_figures::{chart, explain, figure, formula, inspect, picture, views};
 

@@ -5,8 +5,10 @@ use std::ops::RangeInclusive;
 use crate::camera::{Decomposition, ImageSize};
 use crate::export::format::PictureFormat;
 use crate::expression::ExpressionError;
+use crate::inspect::{Conditions, proved_digits};
 use crate::limits::MAX_SIDE;
 use crate::messages::expressions::in_expression;
+use crate::numbers::exact;
 use crate::sanitize::escaped;
 
 texts!("command_line");
@@ -110,6 +112,36 @@ pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
         Decomposition::Scale => text!(lang, no_steps_scale, source),
         _ => text!(lang, no_steps_window, source),
     }
+}
+
+/// The bounds of a number, and the digits that they prove; `None` if it isn't enclosed.
+pub fn bounds(lang: Lang, pair: Option<[f64; 2]>) -> String {
+    let Some([low, high]) = pair else { return text!(lang, not_enclosed).to_owned() };
+    let (ends, digits) = ([low, high].map(exact), lang.mark().number(proved_digits([low, high]).floor(), 2));
+    let [low, high] = &ends;
+    if low == high {
+        return text!(lang, bounds_exact).to_owned();
+    }
+    if digits == "0" { text!(lang, bounds_of_zero, low, high) } else { text!(lang, bounds, low, high, digits) }
+}
+
+/// The digits that each question of a camera loses by itself, a line for each.
+pub fn conditions(lang: Lang, condition: &Conditions) -> String {
+    let Conditions { basis, view_matrix, projection_matrix, inverse_view_projection } = *condition;
+    let questions = [
+        ("u, v, n", basis),
+        ("M_v", view_matrix),
+        ("M_p", projection_matrix),
+        ("(M_p M_v)⁻¹", inverse_view_projection),
+    ];
+    let line = |(name, number): (&str, Option<f64>)| match number {
+        Some(number) => {
+            let (times, lost) = (lang.mark().number(number, 3), lang.mark().number(number.max(1.0).log10(), 2));
+            text!(lang, condition, name, times, lost) + "\n"
+        }
+        None => text!(lang, condition_infinite, name) + "\n",
+    };
+    questions.map(line).concat()
 }
 
 /// A pixel that the image doesn't have. It has a ray all the same.

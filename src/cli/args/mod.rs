@@ -125,9 +125,13 @@ pub(super) struct InspectArgs {
     /// down. Pixels, window and viewport are the same in all
     #[arg(long, value_parser = one_of(Ndc::ALL, Ndc::name), value_name = "NAME", default_value = Ndc::default().name())]
     pub(super) ndc: Ndc,
-    /// Output format
+    /// Add an interval that's proved to hold the exact number to each number, and how many times the questions
+    /// themselves enlarge an error of the figure's numbers
+    #[arg(long)]
+    pub(super) bounds: bool,
+    /// JSON for programs, or a list to read
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    pub(super) format: Format,
 }
 
 #[derive(Debug, Args)]
@@ -352,13 +356,6 @@ impl InspectArgs {
             Ok((pixel, expression::evaluate(z, Dimension::Number).map_err(|_| fault())?))
         };
         self.depth_pixels.iter().map(read).collect()
-    }
-
-    /// The only format so far, so that nothing depends on it.
-    pub(super) fn to_text(&self, json: impl FnOnce() -> String) -> String {
-        match self.format {
-            Format::Json => json(),
-        }
     }
 }
 

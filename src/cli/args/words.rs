@@ -27,6 +27,7 @@ pub(in crate::cli) fn word_of<T: Copy + Send + Sync + 'static>(words: Words<T>) 
 pub(in crate::cli) enum Format {
     #[default]
     Json,
+    Text,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

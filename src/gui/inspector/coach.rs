@@ -70,6 +70,9 @@ fn findings(ui: &mut Ui, model: &Model, advice: &Advice, wish: &mut Option<Wish>
     if diagnosis.camera_error.is_none() {
         ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
     }
+    if let Some(placed) = words::placed(lang, diagnosis.placed_within) {
+        ui.label(placed);
+    }
     if diagnosis.findings.is_empty() {
         let crate::camera::ImageSize { width, height } = model.desk.shown.figure().image;
         let is_coarse = u64::from(width) * u64::from(height) > IN_A_WINDOW;

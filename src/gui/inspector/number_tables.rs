@@ -2,19 +2,44 @@
 
 use std::borrow::Cow;
 
-use crate::camera::{Camera, Ndc};
+use crate::camera::{Camera, Convention, Ndc};
 use crate::explain::{Matrix, projection_equation};
-use crate::inspect::Report;
+use crate::inspect::{Bounds, Report};
 use crate::numbers::{self, DecimalMark, without_rests};
 use camera_lab_desk::{Conventions, Model};
+use camera_lab_words::command_line;
 use camera_lab_words::why::conventions;
 use camera_lab_words::window::{self, Texts};
 
 /// The numbers of the figure in a convention of NDC.
 pub(in crate::gui) fn report(model: &Model, ndc: Ndc) -> Option<Report> {
     let figure = model.desk.shown.figure();
-    let space = model.desk.shown.camera().possible_clip_space(ndc);
-    Report::of(&space, figure.image, figure.viewport, &[], &[]).ok()
+    let camera = model.desk.shown.camera();
+    // What's proved are the numbers of the figure as its file has them.
+    let camera = if model.settings.bounds { camera.rounded() } else { camera.clone() };
+    Report::of(&camera.possible_clip_space(ndc), figure.image, figure.viewport, &[], &[]).ok()
+}
+
+/// The bounds of such a report.
+pub(in crate::gui) fn bounds(model: &Model, ndc: Ndc, report: &Report) -> Bounds {
+    let (figure, camera) = (model.desk.shown.figure(), model.desk.shown.camera());
+    let way = (camera.parameters(), &[][..], Convention::default());
+    Bounds::new(report, way, camera.possible_clip_space(ndc).ndc(), (figure.image, figure.viewport))
+}
+
+/// The bounds of each number of a table on a line, with the digits that they prove. The table with one end of each
+/// interval, and that with the other.
+pub(in crate::gui) fn proof(t: &Texts, [one, other]: [&Table; 2]) -> String {
+    let mut lines = Vec::new();
+    for (i, ((name, low), (_, high))) in one.rows.iter().zip(&other.rows).enumerate() {
+        for (j, (a, b)) in low.iter().zip(high).enumerate() {
+            // A changed sign exchanges the ends.
+            let pair = (!a.is_nan() && !b.is_nan()).then(|| [a.min(*b), a.max(*b)]);
+            let row = if name.is_empty() { (i + 1).to_string() } else { name.clone() };
+            lines.push(format!("{row}, {}: {}", j + 1, command_line::bounds(t.lang, pair)));
+        }
+    }
+    lines.join("\n")
 }
 
 /// All numbers of the figure as text with all their digits, for programs.

@@ -4,7 +4,7 @@ use eframe::egui::text::LayoutJob;
 use eframe::egui::{self, RichText, TextFormat};
 
 use super::{TEXT_LINE, complain, erratum, kept_section, section};
-use crate::gui::inspector::number_tables::{self, GAP, Table, ndc_of, report, tables};
+use crate::gui::inspector::number_tables::{self, GAP, Table, bounds, ndc_of, report, tables};
 use crate::gui::kit::{Explained, NumberField, Step, brackets, context_help, help_topic, help_topic_row, theme, whole};
 use camera_lab_desk::Model;
 use camera_lab_words::why::conventions::differences;
@@ -45,6 +45,8 @@ pub(in crate::gui) fn list(
     let shown = model.settings.conventions;
     let Some(report) = report(model, shown.ndc) else { return };
     let camera = model.desk.shown.camera();
+    let ends = model.settings.bounds.then(|| bounds(model, shown.ndc, &report).ends);
+    let ends = ends.map(|ends| ends.map(|report| tables(t, (camera, &report), inverse, shown)));
     let other = compared.and_then(|ndc| number_tables::report(model, ndc));
     let other = other.map(|other| (tables(t, (camera, &other), inverse, shown), ndc_of(&other)));
     let mut asked = None;
@@ -55,6 +57,10 @@ pub(in crate::gui) fn list(
         if let Some((_, ndc)) = other.filter(|_| table.symbol.contains("M_p") && !table.symbol.contains("M_v")) {
             let said = differences(t.lang, ndc_of(&report), *ndc);
             theme::wrapped(ui, &said, &egui::TextStyle::Small, ui.visuals().text_color());
+        }
+        if let Some([low, high]) = ends.as_ref().map(|ends| ends.each_ref().map(|tables| &tables[i])) {
+            let proof = number_tables::proof(t, [low, high]);
+            ui.add(egui::Label::new(RichText::new(proof).monospace().small().weak()).extend());
         }
     }
     if let Some((matrix, entry)) = asked {
@@ -70,6 +76,7 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
         let output = field.width(40.0).hint(t.digits_hint).show(ui, t, &mut digits);
         model.settings.digits = whole(digits) as usize;
         ui.checkbox(&mut model.settings.inverse, t.inverse).explained(t.inverse_hint);
+        ui.checkbox(&mut model.settings.bounds, t.bounds).explained(t.bounds_hint);
         if ui.button(t.copy).explained(t.copy_numbers_hint).clicked() {
             ui.ctx().copy_text(number_tables::text(model));
         }

@@ -73,7 +73,7 @@ impl Dd {
     /// 1
     pub const ONE: Self = Self::new(1.0);
     /// π / 180.
-    const RADIANS_PER_DEGREE: Self = Self { hi: 0.017_453_292_519_943_295, lo: 2.948_652_270_870_168_7e-19 };
+    pub(crate) const RADIANS_PER_DEGREE: Self = Self { hi: 0.017_453_292_519_943_295, lo: 2.948_652_270_870_168_7e-19 };
     /// 180 / π.
     const DEGREES_PER_RADIAN: Self = Self { hi: 57.295_779_513_082_32, lo: -1.987_849_567_057_628_3e-15 };
 
@@ -228,9 +228,7 @@ pub fn exact_sum(terms: impl IntoIterator<Item = f64>) -> Dd {
 /// Sine and cosine of an angle in degrees, to about 100 bits, exact at the multiples of 30° where they are rational.
 /// The angle is reduced exactly: 360° more or less change no bit.
 pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
-    let turn = degrees % 360.0;
-    let quarters = (turn / 90.0).round();
-    let rest = turn - quarters * 90.0;
+    let (quarters, rest) = in_quarters(degrees);
     let half = Dd::new(0.5);
     let (s, c) = if rest.abs() == 30.0 {
         (if rest > 0.0 { half } else { -half }, Dd::new(0.75).sqrt())
@@ -240,6 +238,19 @@ pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
     } else {
         sin_cos_radians(Dd::new(rest) * Dd::RADIANS_PER_DEGREE)
     };
+    turned((s, c), quarters)
+}
+
+/// Quarters of a turn, and the rest in degrees, −45 … 45. Both are exact: a remainder is, and so is the difference of
+/// numbers of which neither is more than twice the other.
+pub(crate) fn in_quarters(degrees: f64) -> (f64, f64) {
+    let turn = degrees % 360.0;
+    let quarters = (turn / 90.0).round();
+    (quarters, turn - quarters * 90.0)
+}
+
+/// Sine and cosine of an angle that is quarters of a turn greater.
+pub(crate) fn turned<T: Neg<Output = T>>((s, c): (T, T), quarters: f64) -> (T, T) {
     match quarters.rem_euclid(4.0) {
         0.0 => (s, c),
         1.0 => (c, -s),
@@ -248,15 +259,18 @@ pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
     }
 }
 
-/// By Taylor's series, |x| ≤ π/4.
-fn sin_cos_radians(x: Dd) -> (Dd, Dd) {
+/// By Taylor's series up to x³¹, |x| ≤ π/4.
+pub(crate) fn sin_cos_radians<T>(x: T) -> (T, T)
+where
+    T: Copy + From<f64> + Neg<Output = T> + Add<Output = T> + Mul<Output = T> + Div<Output = T>,
+{
     let minus_square = -(x * x);
-    let (mut sine, mut cosine) = (x, Dd::ONE);
-    let (mut odd, mut even) = (x, Dd::ONE);
+    let (mut sine, mut cosine) = (x, T::from(1.0));
+    let (mut odd, mut even) = (x, T::from(1.0));
     for k in 1..=15 {
         let k = f64::from(2 * k);
-        even = even * minus_square / Dd::new(k * (k - 1.0));
-        odd = odd * minus_square / Dd::new(k * (k + 1.0));
+        even = even * minus_square / T::from(k * (k - 1.0));
+        odd = odd * minus_square / T::from(k * (k + 1.0));
         cosine = cosine + even;
         sine = sine + odd;
     }

@@ -1,10 +1,11 @@
 //! The output of `camera-lab inspect` for followed points: their traces, and pixels with a depth on their way back.
 
 use serde::Serialize;
+use serde_json::Value;
 
 use super::{Setting, Step, back, forward};
 use crate::camera::{NotProjectable, Unprojected};
-use crate::inspect::{Report, json_text};
+use crate::inspect::{Bounds, Report};
 
 /// A pixel with a depth, followed back to the world.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -49,9 +50,15 @@ impl DepthPixelReport {
     }
 }
 
-/// The report as JSON, like [`Report::to_json`], with the `trace` of each of its points if requested, and with
-/// `depth_pixels` if there are any.
-pub fn json(report: &Report, setting: &Setting<'_>, traced: bool, depth_pixels: &[DepthPixelReport]) -> String {
+/// The report as a value, with the `trace` of each of its points if requested, with `depth_pixels` if there are any,
+/// and with bounds. [`json_text`](crate::inspect::json_text) writes it like [`Report::to_json`].
+pub fn json(
+    report: &Report,
+    setting: &Setting<'_>,
+    traced: bool,
+    depth_pixels: &[DepthPixelReport],
+    bounds: Option<&Bounds>,
+) -> Value {
     // Everything in a report and a trace can become a JSON value.
     let mut value = serde_json::to_value(report).unwrap_or_default();
     if traced {
@@ -63,5 +70,9 @@ pub fn json(report: &Report, setting: &Setting<'_>, traced: bool, depth_pixels: 
     if !depth_pixels.is_empty() {
         value["depth_pixels"] = serde_json::to_value(depth_pixels).unwrap_or_default();
     }
-    json_text(&value)
+    if let Some(bounds) = bounds {
+        value["bounds"] = bounds.to_json();
+        value["condition"] = serde_json::to_value(bounds.condition).unwrap_or_default();
+    }
+    value
 }

@@ -2,10 +2,10 @@
 //! on the same seeded inputs. It measures how far each is from a reference of [`PRECISION`](reference::PRECISION) bits,
 //! and how long it takes.
 //!
-//! The textbook chain is written once, in [`chain`], for every kind of number ([`Real`](real::Real)). The program's own
-//! code isn't generic. It's one of the methods, [`OWN`], called as the program calls it.
+//! The textbook chain is written once, in [`chain`](crate::chain), for every kind of number
+//! ([`Real`](crate::chain::real::Real)). The program's own code isn't generic. It's one of the methods, [`OWN`], called
+//! as the program calls it.
 
-pub mod chain;
 pub mod charts;
 mod depth_format;
 pub mod diagnosis;
@@ -13,10 +13,10 @@ pub mod health;
 mod measure;
 mod memory;
 pub mod overhead;
-pub mod real;
 pub mod reference;
 mod studies;
 pub mod this_figure;
+pub mod three_ways;
 pub mod times;
 
 use std::time::Duration;

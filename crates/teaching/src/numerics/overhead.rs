@@ -8,11 +8,11 @@ use std::time::Duration;
 use glam::{DMat4, DVec3, DVec4};
 use serde::Serialize;
 
-use super::chain::{Matrix, basis, projection_matrix, view_matrix, window};
 use super::measure::{Trial, Watch};
 use super::studies::painter::Painter;
 use super::{Effort, Lab};
-use crate::camera::{Camera, Parameters};
+use crate::camera::{Camera, Ndc, Parameters};
+use crate::chain::{Given, Matrix, basis, pose, projection_matrix, view_matrix};
 use crate::clock;
 use crate::figure::Figure;
 use crate::progress::Progress;
@@ -109,11 +109,11 @@ fn own_numbers(p: &Parameters) -> Option<Numbers> {
 
 /// The same with the printed formulas and the inverses of a library.
 fn textbook_numbers(p: &Parameters) -> Numbers {
-    let axes = basis::<f64>(p.position, p.focal_point, p.view_up);
-    let (view, projection) = (view_matrix(&axes, p.position), projection_matrix::<f64>(p));
+    let given = Given::<f64>::of(p);
+    let view = view_matrix(&basis(&pose(p)), &given.position);
+    let projection = projection_matrix(&given, Ndc::default());
     let both = projection.product(&view);
     let glam = |m: &Matrix<f64>| DMat4::from_cols_array_2d(&m.0).transpose();
-    black_box(window::<f64>(p));
     let world_from_clip = glam(&both).inverse();
     let corners = std::array::from_fn(|i| {
         let side = |bit: usize| if i >> bit & 1 == 1 { 1.0 } else { -1.0 };

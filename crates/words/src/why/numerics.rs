@@ -264,6 +264,11 @@ pub fn price(lang: Lang, price: &Price) -> String {
     text!(lang, price, a, b, c, d, more = more(price.frame))
 }
 
+/// A number of decimal digits, with one after the mark.
+pub fn digits(lang: Lang, digits: f64) -> String {
+    text!(lang, digits, digits = lang.mark().printed(&format!("{digits:.1}")))
+}
+
 /// An error with its size and little more.
 pub fn short(x: f64) -> String {
     if x == 0.0 { "0".to_owned() } else { format!("{x:.1e}") }

@@ -6,9 +6,9 @@ use super::scenes::preset_object;
 use crate::appearance::DepthFormat;
 use crate::camera::{Camera, CameraError, Ndc, Projection};
 use crate::messages::cameras::warning_wording;
-use crate::numbers::significant;
+use crate::numbers::{power_of_ten, round_to, significant};
 use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value, WrongPixels};
-use crate::numerics::health::{Health, HealthQuantity, Level, coarseness, volume_sides};
+use crate::numerics::health::{Health, HealthQuantity, Level, LostDigits, coarseness, lost_digits, volume_sides};
 use crate::sanitize::{self, escaped};
 use crate::scene::SceneSpec;
 use crate::why::conventions;
@@ -47,7 +47,7 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera, format: DepthFormat)
     let n = |x: f64| length(lang, x);
     let perspective = camera.projection() == Projection::Perspective;
     let own = match health.quantity {
-        HealthQuantity::VupAngle => vup_angle(lang, health.value),
+        HealthQuantity::VupAngle => vup_angle(lang, health.value, camera),
         HealthQuantity::FarNearRatio if perspective => {
             let half = 2.0 * camera.near() / (1.0 + camera.near() / camera.far());
             let (ratio, half) = (n(health.value), n(half));
@@ -73,14 +73,29 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera, format: DepthFormat)
     more.fold(own, |text, warning| format!("{text} {}.", warning_wording(lang, warning).in_symbols))
 }
 
-fn vup_angle(lang: Lang, degrees: f64) -> String {
+/// The condition of **u**, **v**, **n** and the digits of our method, in one sentence.
+fn vup_angle(lang: Lang, degrees: f64, camera: &Camera) -> String {
     let n = |x: f64| lang.mark().number(x, 3);
-    let lost = -degrees.to_radians().sin().log10();
     let angle = n(degrees);
-    if lost < 0.5 {
-        return text!(lang, vup_angle_lost, angle);
-    }
-    text!(lang, vup_angle, angle, times = n(10f64.powf(lost)), lost = n(lost))
+    let Some(LostDigits { question, method, error }) = lost_digits(camera) else {
+        return text!(lang, vup_angle_unknown, angle);
+    };
+    let [question, method] = [question, method].map(|lost| round_to(lost, 0.1));
+    let t = texts(lang);
+    let question = if question == 0.0 { t.no_digits.to_owned() } else { text!(lang, digits, digits = n(question)) };
+    let method = if method == 0.0 { t.none.to_owned() } else { n(method) };
+    text!(lang, vup_angle, angle, question, method, error = at_most(lang, error))
+}
+
+/// How far vertices are from their places at most, in pixels. `None` if there are no vertices, or nothing is known.
+pub fn placed(lang: Lang, within: f64) -> Option<String> {
+    (within > 0.0 && within.is_finite()).then(|| text!(lang, placed, within = at_most(lang, within)))
+}
+
+/// A positive number with two digits, rounded up.
+fn at_most(lang: Lang, x: f64) -> String {
+    let unit = power_of_ten(x).map_or(x, |power| power / 10.0);
+    lang.mark().number((x / unit).ceil() * unit, 2)
 }
 
 /// A number with three digits. If it's beyond the greatest `f64`, the text says so.

@@ -35,6 +35,9 @@ pub struct Frame {
     /// The exceeded budget. If it's that of pieces, the drawing is for an output with a depth buffer, whatever was
     /// requested. It is reported in preference to rounding.
     pub over_budget: Option<OverBudget>,
+    /// Every vertex of the scene in the picture is drawn within this distance of its place, pixels. It's proved by the
+    /// error bounds of the way from its coordinates to the grid of the image.
+    pub placed_within: f64,
     /// The scale of the depths of the drawing.
     pub depths: DepthScale,
     /// Input and output of the stage to show; `None` if it didn't run.

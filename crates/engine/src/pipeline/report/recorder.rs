@@ -97,6 +97,7 @@ impl<'a> Recorder<'a> {
             plan: plan.clone(),
             lamps: scenes.lights.len(),
             objects: self.objects,
+            placed_within: self.misplaced.within(),
             over_budget: OverBudget::rounding(self.misplaced.found()),
             depths: projector.depths,
             dropped_faces: Vec::new(),

@@ -41,6 +41,7 @@ pub fn impossible_camera(impossible: &ImpossibleCamera, scene: &Scene) -> Diagno
     Diagnosis {
         visible: 0,
         covered: 0.0,
+        placed_within: 0.0,
         findings: vec![finding],
         infinite_faces: 0,
         camera_error: Some(error.clone()),

@@ -21,6 +21,8 @@ pub(super) struct Drawn {
     pub(super) pixels: u64,
     /// The report of each object of the scene.
     pub(super) objects: Vec<ObjectReport>,
+    /// See [`Frame::placed_within`](crate::pipeline::Frame::placed_within).
+    pub(super) placed_within: f64,
 }
 
 impl Counter {
@@ -33,7 +35,7 @@ impl Counter {
         // Nor does the light, whose shadow maps would take most of the memory.
         let dark = Scenes::from(scene).without_lights();
         let painted = self.paint(dark, camera, &style, image, |pixel| pixels += u64::from(pixel[3] > 0))?;
-        Some(Drawn { pixels, objects: painted.objects })
+        Some(Drawn { pixels, objects: painted.objects, placed_within: painted.placed_within })
     }
 
     /// For each of these objects, the number of pixels that show a face turned away from the eye.
@@ -94,7 +96,8 @@ impl Counter {
         frame.drawing.labels.clear();
         let pixmap = self.rasterizer.paint(&frame.drawing)?;
         pixmap.data().chunks_exact(4).for_each(|pixel| each([pixel[0], pixel[1], pixel[2], pixel[3]]));
-        Some(Painted { objects: frame.objects, over_budget: frame.over_budget })
+        let (over_budget, placed_within) = (frame.over_budget, frame.placed_within);
+        Some(Painted { objects: frame.objects, over_budget, placed_within })
     }
 }
 
@@ -103,6 +106,7 @@ pub(super) struct Painted {
     objects: Vec<ObjectReport>,
     /// The faces that were too many to sort.
     pub(super) over_budget: Option<OverBudget>,
+    placed_within: f64,
 }
 
 /// An object whose faces have numbers, 0 … 2²⁴ − 1, as colours, and no strokes.

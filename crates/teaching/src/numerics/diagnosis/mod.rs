@@ -156,6 +156,8 @@ pub struct Diagnosis {
     pub visible: u64,
     /// Their share of the image.
     pub covered: f64,
+    /// Every vertex is drawn within this distance of its place, pixels, which is proved.
+    pub placed_within: f64,
     /// The findings, the most useful first. Empty only if the image was compared with exact visibility and is right.
     pub findings: Vec<Finding>,
     /// Faces that the format of vertices leaves out of the image, because a coordinate isn't finite in it.
@@ -220,7 +222,8 @@ pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagn
         let pixels = (fault.cause != Cause::NotCompared).then_some(fault.pixels);
         found.push(Finding { cause: fault.cause, whole: Vec::new(), partly: names.collect(), repair, pixels });
     }
-    Ok(Diagnosis { visible: drawn.pixels, covered, findings: found, infinite_faces, camera_error: None })
+    let (visible, placed_within) = (drawn.pixels, drawn.placed_within);
+    Ok(Diagnosis { visible, covered, placed_within, findings: found, infinite_faces, camera_error: None })
 }
 
 /// The reason why there's no diagnosis.

@@ -10,11 +10,11 @@ use glam::DVec3;
 
 use super::figure_of;
 use crate::camera::{Camera, Parameters};
+use crate::chain::real::Real;
+use crate::chain::{self, Vector};
 use crate::geometry::double_double::{Dd, two_product};
 use crate::numbers::random::Random;
-use crate::numerics::chain::{self, Vector};
 use crate::numerics::measure::{Off, Trial, mean_bits};
-use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 
@@ -71,7 +71,7 @@ fn input(random: &mut Random, angle: f64, size: f64) -> Parameters {
 }
 
 fn reference(p: &Parameters) -> [Vector<Reference>; 3] {
-    chain::basis::<Reference>(p.position, p.focal_point, p.view_up)
+    chain::basis(&chain::pose(p))
 }
 
 fn off(axes: &[DVec3; 3], exact: &[Vector<Reference>; 3]) -> Off {
@@ -101,11 +101,11 @@ const METHODS: [(&str, Basis); 6] = [
 ];
 
 fn naive<R: Real>(p: &Parameters) -> [DVec3; 3] {
-    chain::basis::<R>(p.position, p.focal_point, p.view_up).map(|axis| axis.to_f64())
+    chain::basis::<R>(&chain::pose(p)).map(|axis| axis.to_f64())
 }
 
 fn scaled<R: Real>(p: &Parameters) -> [DVec3; 3] {
-    chain::scaled_basis::<R>(p.position, p.focal_point, p.view_up).map(|axis| axis.to_f64())
+    chain::scaled_basis::<R>(&chain::pose(p)).map(|axis| axis.to_f64())
 }
 
 /// Scaled, and each difference of products with the error of its products, by W. Kahan's algorithm with a fused

@@ -9,11 +9,11 @@ use std::mem::size_of;
 use glam::DVec3;
 
 use super::figure_with;
-use crate::camera::{Camera, Parameters};
+use crate::camera::{Camera, Ndc, Parameters};
+use crate::chain::real::Real;
+use crate::chain::{Given, Matrix, Vector, projection_matrix};
 use crate::numbers::random::Random;
-use crate::numerics::chain::{Matrix, Vector, projection_matrix};
 use crate::numerics::measure::{Off, Trial, mean_bits};
-use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 use crate::pipeline::canonical::clipped_segment_of;
@@ -43,7 +43,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let Ok(camera) = Camera::new(&parameters) else {
         return Findings { study: Study::Clipping, reference: "512 bits", working_set: 0, rows };
     };
-    let matrix = projection_matrix::<Reference>(&parameters);
+    let matrix = projection_matrix(&Given::<Reference>::of(&parameters), Ndc::default());
     let (single, double) = (matrix.rounded::<f32>(), matrix.rounded::<f64>());
     let own = clipped_segment_of(&camera);
     let displayed = |ends: Ends| ends.map(|p| DVec3::new(p.x, p.y, -p.z));

@@ -11,11 +11,11 @@ use glam::DVec3;
 
 use super::{figure_of, random_camera};
 use crate::camera::{Camera, Convention, Operation, Parameters};
+use crate::chain::real::Real;
+use crate::chain::{Vector, basis, pose};
 use crate::geometry::Angle;
 use crate::numbers::random::Random;
-use crate::numerics::chain::{Vector, basis};
 use crate::numerics::measure::{Off, Trial, Watch, bits_off, mean_bits};
-use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
 use crate::progress::{Progress, at_once, pause};
@@ -109,7 +109,7 @@ impl CameraCase {
         let camera = Camera::new(&parameters).ok()?;
         // 24 bits after the point, 10 before. A million of them are still exact.
         let angle = (random.between(0.01, 1.0) * GRID).round() / GRID;
-        let [u, v, n] = basis::<Reference>(parameters.position, parameters.focal_point, parameters.view_up);
+        let [u, v, n] = basis::<Reference>(&pose(&parameters));
         let (sine, cosine) = Reference::sin_cos_degrees(angle * f64::from(steps));
         let to_viewer = Vector::<Reference>::of(parameters.position).minus(&Vector::of(parameters.focal_point));
         let distance = to_viewer.length();

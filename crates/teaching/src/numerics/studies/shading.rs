@@ -11,10 +11,10 @@ use glam::DVec3;
 use super::painter::{Painter, object};
 use crate::appearance::{Rgba, Samples, Shading, Style};
 use crate::camera::{Camera, Parameters};
+use crate::chain::real::Real;
+use crate::chain::{Given, Vector, basis, pose};
 use crate::figure::{Figure, write};
-use crate::numerics::chain::{Vector, basis, window};
 use crate::numerics::measure::{Off, Trial, Watch, bits_off};
-use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
 use crate::pipeline::reflection::{AMBIENT, DIFFUSE, SHININESS, SPECULAR};
@@ -151,8 +151,8 @@ impl Setup {
             ..Parameters::default()
         };
         let camera = Camera::new(&parameters).ok()?;
-        let axes = basis::<Reference>(parameters.position, parameters.focal_point, parameters.view_up);
-        let [left, right, bottom, top] = window::<Reference>(&parameters);
+        let axes = basis::<Reference>(&pose(&parameters));
+        let [left, right, bottom, top] = Given::<Reference>::of(&parameters).window;
         let eye = Vector::<Reference>::of(parameters.position);
         let mut exact = Vec::new();
         for j in 0..SIZE[1] {

@@ -8,12 +8,12 @@ use std::mem::size_of;
 use glam::DVec3;
 
 use super::{figure_of, random_camera};
-use crate::camera::{Camera, ImageSize, Parameters, Projection, Viewport};
+use crate::camera::{Camera, ImageSize, Ndc, Parameters, Projection, Viewport};
+use crate::chain::real::Real;
+use crate::chain::{Chain, Matrix, Vector};
 use crate::geometry::double_double::{two_product, two_sum};
 use crate::numbers::random::Random;
-use crate::numerics::chain::{Matrix, Vector, basis, projection_matrix, view_matrix};
 use crate::numerics::measure::{Off, Trial, Watch, mean_bits};
-use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, OWN, Study, Unit};
 use crate::pipeline::canonical::view_of;
@@ -60,7 +60,7 @@ struct Setup {
     points: Vec<DVec3>,
     exact: Vec<Vector<Reference>>,
     /// Takes clip coordinates back to view space.
-    exact_projection: Matrix<Reference>,
+    view_from_clip: Matrix<Reference>,
 }
 
 impl Setup {
@@ -69,22 +69,21 @@ impl Setup {
         let center = random.direction() * distance;
         let parameters = Parameters { projection, ..random_camera(random, center) };
         let camera = Camera::new(&parameters).ok()?;
-        let Parameters { position, focal_point, view_up, .. } = parameters;
-        let exact_basis = basis::<Reference>(position, focal_point, view_up);
-        let exact_projection = projection_matrix::<Reference>(&parameters);
-        let exact_view = view_matrix(&exact_basis, position);
+        let chain = Chain::<Reference>::new(&parameters);
+        let c = &chain.given.position;
         let points: Vec<DVec3> =
-            (0..count).map(|_| focal_point + random.direction() * random.between(0.0, 0.5)).collect();
-        let c = Vector::of(position);
+            (0..count).map(|_| parameters.focal_point + random.direction() * random.between(0.0, 0.5)).collect();
         let exact = points
             .iter()
             .map(|&p| {
-                let d = Vector::<Reference>::of(p).minus(&c);
-                Vector(std::array::from_fn(|i| exact_basis[i].dot(&d)))
+                let d = Vector::<Reference>::of(p).minus(c);
+                Vector(std::array::from_fn(|i| chain.basis[i].dot(&d)))
             })
             .collect();
-        let (view, projection) = (exact_view.rounded(), exact_projection.rounded());
-        Some(Self { parameters, camera, view, projection, points, exact, exact_projection })
+        let notes = Ndc::default();
+        let (view, projection) = (chain.view_matrix().rounded(), chain.projection_matrix(notes).rounded());
+        let view_from_clip = chain.inverse_projection_matrix(notes);
+        Some(Self { parameters, camera, view, projection, points, exact, view_from_clip })
     }
 
     fn judge(&self, input: usize, results: &[Outcome], trial: &mut Trial) {
@@ -101,19 +100,8 @@ impl Setup {
 
     /// The view-space position that clip coordinates represent.
     fn view_of_clip(&self, clip: &[f64; 4]) -> Vector<Reference> {
-        let [x, y, z, w] = clip.map(Reference::of);
-        let m = |i: usize, j: usize| self.exact_projection.0[i][j].clone();
-        match self.parameters.projection {
-            Projection::Perspective => {
-                let depth = -w;
-                let across = |i: usize, x: Reference| (x - m(i, 2) * depth.clone()) / m(i, i);
-                Vector([across(0, x), across(1, y), depth])
-            }
-            Projection::Parallel => {
-                let across = |i: usize, x: Reference| (x - m(i, 3)) / m(i, i);
-                Vector([across(0, x), across(1, y), across(2, z)])
-            }
-        }
+        let [x, y, z, _] = self.view_from_clip.transform(&clip.map(Reference::of));
+        Vector([x, y, z])
     }
 }
 

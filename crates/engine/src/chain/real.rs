@@ -5,7 +5,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::geometry::Angle;
 use crate::geometry::double_double::{Dd, sin_cos_degrees};
 
-/// The operations that the textbook chain needs from a number: single, double, twice double, or the reference.
+/// The most numbers that a figure gives its camera: C, PF, VUP, F, B and l, r, b, t.
+pub const GIVEN: usize = 15;
+
+/// The operations that the textbook chain needs from a number: single, double, twice double, or the reference; an
+/// [`Enclosure`](super::Enclosure), or a number with its [`Gradient`](super::Gradient).
 pub trait Real:
     Clone
     + PartialOrd
@@ -27,6 +31,17 @@ pub trait Real:
     /// Sine and cosine of an angle in degrees.
     fn sin_cos_degrees(degrees: f64) -> (Self, Self);
 
+    /// The number `x` that a figure gives as its `k`-th, 0 … [`GIVEN`] − 1.
+    fn given(x: f64, _k: usize) -> Self {
+        Self::of(x)
+    }
+
+    /// tan(θ/2) of an angle in degrees that a figure gives as its `k`-th number.
+    fn given_half_tangent(degrees: f64, _k: usize) -> Self {
+        let (sine, cosine) = Self::sin_cos_degrees(degrees / 2.0);
+        sine / cosine
+    }
+
     /// 0.
     fn zero() -> Self {
         Self::of(0.0)
@@ -36,6 +51,33 @@ pub trait Real:
     fn one() -> Self {
         Self::of(1.0)
     }
+}
+
+/// The operators of a kind of number, from its methods `plus`, `by`, `over` and `opposite`.
+#[macro_export]
+macro_rules! operators {
+    ([$($generic:tt)*] $number:ty) => {
+        impl<$($generic)*> std::ops::Add for $number {
+            type Output = Self;
+            fn add(self, other: Self) -> Self { self.plus(other) }
+        }
+        impl<$($generic)*> std::ops::Sub for $number {
+            type Output = Self;
+            fn sub(self, other: Self) -> Self { self.plus(-other) }
+        }
+        impl<$($generic)*> std::ops::Mul for $number {
+            type Output = Self;
+            fn mul(self, other: Self) -> Self { self.by(other) }
+        }
+        impl<$($generic)*> std::ops::Div for $number {
+            type Output = Self;
+            fn div(self, other: Self) -> Self { self.over(other) }
+        }
+        impl<$($generic)*> std::ops::Neg for $number {
+            type Output = Self;
+            fn neg(self) -> Self { self.opposite() }
+        }
+    };
 }
 
 impl Real for f32 {
