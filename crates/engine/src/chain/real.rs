@@ -2,6 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::appearance::VertexFormat;
 use crate::geometry::Angle;
 use crate::geometry::double_double::{Dd, sin_cos_degrees};
 
@@ -133,5 +134,59 @@ impl Real for Dd {
 
     fn sin_cos_degrees(degrees: f64) -> (Self, Self) {
         sin_cos_degrees(degrees)
+    }
+}
+
+/// A number of a format, kept as the `f64` that it is. Each result is that of `f64`, rounded to the format. `f64` has
+/// more than twice the bits of the floats here, so two roundings are one (S. A. Figueroa, *When is double rounding
+/// innocuous?*, 1995).
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Narrow<const FORMAT: usize>(f64);
+
+/// Half precision.
+pub type F16 = Narrow<0>;
+/// `bfloat16`.
+pub type Bf16 = Narrow<1>;
+/// Fixed point with 16 bits before and 16 behind the point.
+pub type Fixed16 = Narrow<2>;
+
+impl<const FORMAT: usize> Narrow<FORMAT> {
+    const FORMAT: VertexFormat = [VertexFormat::F16, VertexFormat::Bf16, VertexFormat::Fixed16][FORMAT];
+
+    fn plus(self, other: Self) -> Self {
+        Self::of(self.0 + other.0)
+    }
+
+    fn by(self, other: Self) -> Self {
+        Self::of(self.0 * other.0)
+    }
+
+    fn over(self, other: Self) -> Self {
+        Self::of(self.0 / other.0)
+    }
+
+    fn opposite(self) -> Self {
+        Self::of(-self.0)
+    }
+}
+
+crate::operators!([const FORMAT: usize] Narrow<FORMAT>);
+
+impl<const FORMAT: usize> Real for Narrow<FORMAT> {
+    fn of(x: f64) -> Self {
+        Self(Self::FORMAT.round(x))
+    }
+
+    fn to_f64(&self) -> f64 {
+        self.0
+    }
+
+    fn sqrt(self) -> Self {
+        Self::of(self.0.sqrt())
+    }
+
+    fn sin_cos_degrees(degrees: f64) -> (Self, Self) {
+        let (sine, cosine) = Angle::from_degrees(degrees).sin_cos();
+        (Self::of(sine), Self::of(cosine))
     }
 }

@@ -1,7 +1,9 @@
 //! The formats of depth buffers: the value that each stores for a depth in a convention of NDC, and so the surfaces
 //! that it distinguishes.
 
+use crate::appearance::VertexFormat;
 use crate::camera::{Api, ClipSpace, Ndc, Projection};
+use crate::drawing::single;
 use crate::numerics::OWN;
 use crate::pipeline::depths::DepthScale;
 
@@ -74,10 +76,12 @@ pub(in crate::numerics) enum Format {
     Float,
     FloatReversed,
     Logarithmic,
+    /// Reversed, in the format of vertices.
+    Narrow(VertexFormat),
     Own,
 }
 
-pub(in crate::numerics) const FORMATS: [Format; 6] =
+const FORMATS: [Format; 6] =
     [Format::Fixed16, Format::Fixed24, Format::Float, Format::FloatReversed, Format::Logarithmic, Format::Own];
 
 /// Reversed depth as a number that grows with the depth.
@@ -93,6 +97,9 @@ impl Format {
             Self::Float => "f32",
             Self::FloatReversed => "f32 reversed",
             Self::Logarithmic => "logarithmic 24",
+            Self::Narrow(VertexFormat::F16) => "f16 reversed",
+            Self::Narrow(VertexFormat::Bf16) => "bf16 reversed",
+            Self::Narrow(_) => "fixed-16.16 reversed",
             Self::Own => OWN,
         }
     }
@@ -109,6 +116,7 @@ impl Format {
             Self::Fixed24 => growing(fixed(normal(), 24)),
             Self::Float => growing(i64::from(normal().max(0.0).to_bits())),
             Self::FloatReversed | Self::Own => order(range.stored(z, true).max(0.0)),
+            Self::Narrow(format) => order(single(format.round(range.stored(z, true).max(0.0).into()))),
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::disallowed_methods,
@@ -147,6 +155,10 @@ impl Format {
             }
             Self::Float => slope * ulp(1.0 - reversed),
             Self::FloatReversed | Self::Own => slope * ulp(reversed),
+            // 11 and 8 bits in place of 24.
+            Self::Narrow(VertexFormat::F16) => slope * (2f64.powi(13) * ulp(reversed)).max(2f64.powi(-24)),
+            Self::Narrow(VertexFormat::Bf16) => slope * 2f64.powi(16) * ulp(reversed),
+            Self::Narrow(_) => slope * 2f64.powi(-16),
             Self::Logarithmic => z * range.far.ln() * 2f64.powi(-24),
         };
         // A depth in single precision resolves only its own last place.

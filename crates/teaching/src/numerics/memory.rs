@@ -7,14 +7,16 @@ use super::Study;
 pub(super) fn bytes(study: Study, method: &str, parameter: f64) -> f64 {
     // A method's name tells its numbers. Double-double has two `f64`.
     let of_number = match method {
-        _ if method.starts_with("f32") => 4.0,
+        _ if method.starts_with("f32") || method.starts_with("fixed-16.16") => 4.0,
+        _ if method.starts_with("f16") || method.starts_with("bf16") => 2.0,
         "f64 compensated" | "double-double" | super::OWN => 16.0,
         _ => 8.0,
     };
     match study {
         Study::VertexTransform => match method {
             // Homogeneous coordinates.
-            "f32 matrix" | "f32 stages" | "f64 matrix" => 4.0 * of_number,
+            "f32 stages" => 4.0 * of_number,
+            _ if method.ends_with("matrix") => 4.0 * of_number,
             "camera-lab pictures" => 3.0 * 8.0,
             _ => 3.0 * of_number,
         },
@@ -23,7 +25,7 @@ pub(super) fn bytes(study: Study, method: &str, parameter: f64) -> f64 {
         Study::RepeatedOperations if method.ends_with("quaternion") => 10.0 * of_number,
         Study::RepeatedOperations => 15.0 * of_number,
         Study::DepthBuffer => match method {
-            "fixed 16" => 2.0,
+            "fixed 16" | "f16 reversed" | "bf16 reversed" => 2.0,
             "fixed 24" | "logarithmic 24" => 3.0,
             _ => 4.0,
         },

@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::figure_of;
 use crate::camera::{Camera, Parameters};
-use crate::chain::real::Real;
+use crate::chain::real::{Bf16, F16, Fixed16, Real};
 use crate::chain::{self, Vector};
 use crate::geometry::double_double::{Dd, two_product};
 use crate::numbers::random::Random;
@@ -91,7 +91,10 @@ fn angle_between(axis: DVec3, exact: &Vector<Reference>) -> f64 {
 
 type Basis = fn(&Parameters) -> [DVec3; 3];
 
-const METHODS: [(&str, Basis); 6] = [
+const METHODS: [(&str, Basis); 9] = [
+    ("f16 naive", naive::<F16>),
+    ("bf16 naive", naive::<Bf16>),
+    ("fixed-16.16 naive", naive::<Fixed16>),
     ("f32 naive", naive::<f32>),
     ("f64 naive", naive::<f64>),
     ("f64 scaled", scaled::<f64>),

@@ -12,15 +12,27 @@ use std::mem::size_of;
 use glam::DVec3;
 
 use super::figure_with;
+use crate::appearance::VertexFormat;
 use crate::camera::{Camera, Parameters, Projection};
 use crate::numbers::random::Random;
-use crate::numerics::depth_format::{FORMATS, Format, Range, order};
+use crate::numerics::depth_format::{Format, Range, order};
 use crate::numerics::measure::{Off, Trial, bits_off};
 use crate::numerics::{Findings, Group, Lab, Method, Study, Unit};
 use crate::pipeline::canonical::depth_buffer_of;
 use crate::pipeline::depths::InView;
 use crate::scene::{ObjectSpec, Shape};
 
+const FORMATS: [Format; 9] = [
+    Format::Fixed16,
+    Format::Fixed24,
+    Format::Narrow(VertexFormat::F16),
+    Format::Narrow(VertexFormat::Bf16),
+    Format::Narrow(VertexFormat::Fixed16),
+    Format::Float,
+    Format::FloatReversed,
+    Format::Logarithmic,
+    Format::Own,
+];
 const RATIOS: [f64; 7] = [10.0, 100.0, 1e3, 1e4, 1e5, 1e7, 1e9];
 /// Surfaces that are this share of their depth apart are tested for z-fighting.
 const GAP: f64 = 1e-3;

@@ -9,7 +9,7 @@ use std::mem::size_of;
 use glam::DVec3;
 
 use super::painter::{Painter, object};
-use crate::appearance::{Rgba, Samples, Shading, Style};
+use crate::appearance::{Rgba, Samples, Shading, Style, VertexFormat};
 use crate::camera::{Camera, Parameters};
 use crate::chain::real::Real;
 use crate::chain::{Given, Vector, basis, pose};
@@ -41,12 +41,12 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
         for &count in segments {
             let (mut colors, mut outlines) = (Vec::new(), Vec::new());
             let run = async |k: usize, [color, outline]: &mut [Trial; 2]| {
-                let pixels = setup.painted(count, METHODS[k].1.unwrap_or_default(), color, &watch);
+                let pixels = setup.painted(count, METHODS[k], color, &watch);
                 if color.is_first() {
                     setup.judge(&pixels, color, outline);
                 }
             };
-            for ((name, _), [color, outline]) in METHODS.into_iter().zip(lab.in_turns(METHODS.len(), run).await) {
+            for ((name, ..), [color, outline]) in METHODS.into_iter().zip(lab.in_turns(METHODS.len(), run).await) {
                 colors.push(Method::new(name, color));
                 outlines.push(Method::new(name, outline));
             }
@@ -66,9 +66,18 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     Findings { study: Study::Shading, reference: "ray casting of the true surface in 512 bits", working_set, rows }
 }
 
-/// The shadings; `None` means the default of a figure.
-const METHODS: [(&str, Option<Shading>); 4] =
-    [("flat", Some(Shading::Flat)), ("gouraud", Some(Shading::Gouraud)), ("phong", Some(Shading::Phong)), (OWN, None)];
+/// The shadings, with the formats of vertices. The program's own is the default of a figure.
+type Shaded = (&'static str, Shading, VertexFormat);
+
+const METHODS: [Shaded; 7] = [
+    ("flat", Shading::Flat, VertexFormat::F64),
+    ("gouraud", Shading::Gouraud, VertexFormat::F64),
+    ("phong", Shading::Phong, VertexFormat::F64),
+    ("phong f16", Shading::Phong, VertexFormat::F16),
+    ("phong bf16", Shading::Phong, VertexFormat::Bf16),
+    ("phong fixed-16.16", Shading::Phong, VertexFormat::Fixed16),
+    (OWN, Shading::Flat, VertexFormat::F64),
+];
 
 #[derive(Clone, Copy)]
 enum Solid {
@@ -175,9 +184,10 @@ impl Setup {
         Scene { objects, lights: vec![Light::directional(LIGHT)], ..Scene::default() }
     }
 
-    fn painted(&self, segments: u32, shading: Shading, trial: &mut Trial, watch: &Watch) -> Vec<Rgba> {
+    fn painted(&self, segments: u32, method: Shaded, trial: &mut Trial, watch: &Watch) -> Vec<Rgba> {
         let scene = self.scene(segments);
-        let style = Style { shading, antialias: Samples::One, ..Style::default() };
+        let (_, shading, vertex_format) = method;
+        let style = Style { shading, vertex_format, antialias: Samples::One, ..Style::default() };
         let mut painter = Painter::default();
         let mut pixels = Vec::new();
         trial.time_whole(watch, self.exact.len(), || {

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::{figure_of, random_camera};
 use crate::camera::{Camera, ImageSize, Ndc, Parameters, Projection, Viewport};
-use crate::chain::real::Real;
+use crate::chain::real::{Bf16, F16, Fixed16, Real};
 use crate::chain::{Chain, Matrix, Vector};
 use crate::geometry::double_double::{two_product, two_sum};
 use crate::numbers::random::Random;
@@ -88,6 +88,11 @@ impl Setup {
 
     fn judge(&self, input: usize, results: &[Outcome], trial: &mut Trial) {
         for (result, exact) in results.iter().zip(&self.exact) {
+            if !result.is_finite() {
+                // As far off as the world is away, and no digit is right.
+                trial.note(input, Off { error: self.parameters.position.length(), bits: 64.0 });
+                continue;
+            }
             let computed = match result {
                 Outcome::View(p) => Vector::<Reference>::of(*p),
                 Outcome::Clip(p) => self.view_of_clip(p),
@@ -111,13 +116,26 @@ enum Outcome {
     Clip([f64; 4]),
 }
 
+impl Outcome {
+    fn is_finite(&self) -> bool {
+        match self {
+            Self::View(p) => p.is_finite(),
+            // Without w there's no position.
+            Self::Clip(p) => p.iter().all(|x| x.is_finite()) && p[3] != 0.0,
+        }
+    }
+}
+
 type Run = fn(&Setup, &mut Trial, &Watch) -> Vec<Outcome>;
 
-const METHODS: [(&str, Run); 8] = [
-    ("f32 matrix", f32_matrix),
+const METHODS: [(&str, Run); 11] = [
+    ("f16 matrix", one_matrix::<F16>),
+    ("bf16 matrix", one_matrix::<Bf16>),
+    ("fixed-16.16 matrix", one_matrix::<Fixed16>),
+    ("f32 matrix", one_matrix::<f32>),
     ("f32 stages", f32_stages),
     ("f32 relative to eye", f32_relative_to_eye),
-    ("f64 matrix", f64_matrix),
+    ("f64 matrix", one_matrix::<f64>),
     ("f64 stages", f64_stages),
     ("f64 compensated", compensated),
     ("camera-lab pictures", pictures),
@@ -142,14 +160,6 @@ fn one_matrix<R: Real>(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<O
     let matrix = setup.projection.product(&setup.view).rounded::<R>();
     let points: Vec<[R; 4]> = setup.points.iter().map(|&p| column(p)).collect();
     clip_outcomes(trial.time(watch, &points, |p| matrix.transform(p)))
-}
-
-fn f32_matrix(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
-    one_matrix::<f32>(setup, trial, watch)
-}
-
-fn f64_matrix(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
-    one_matrix::<f64>(setup, trial, watch)
 }
 
 /// M_v, then M_p, both in single precision.
