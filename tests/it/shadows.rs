@@ -86,6 +86,7 @@ const FLAT: Style = Style {
     antialias: Samples::One,
     theme: Theme::Light,
     depth_format: camera_lab::appearance::DepthFormat::Float,
+    order: camera_lab::appearance::FaceOrder::AsListed,
 };
 
 fn target(size: ImageSize) -> Target {

@@ -4,13 +4,13 @@ use super::*;
 use crate::appearance::{Filter, HiddenLines, Rgba, Samples, Style, TextureReveal, Theme, Wrap};
 use crate::camera::{Decomposition, ImageSize, Ndc, Operation, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{
-    ARRANGEMENTS, DEPTH_FORMATS, DIMENSIONS, MEASURE_TEXTS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES, SHADINGS,
-    VISIBILITIES,
+    ARRANGEMENTS, DEPTH_FORMATS, DIMENSIONS, FACE_ORDERS, MEASURE_TEXTS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES,
+    SHADINGS, VISIBILITIES,
 };
 use crate::figure::{
-    CameraTag, Comparison, Depth, LabelledMeasure, Labels, Letters, Localized, Measured, MovedLabel, NamedCamera,
-    NamedPoint, Note, NotePlace, Observer, Observers, Outside, Photograph, RenamedLabel, Reveal, Screen, ScreenEntry,
-    ShadowReveal, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview,
+    CameraTag, Comparison, CostReveal, Depth, LabelledMeasure, Labels, Letters, Localized, Measured, MovedLabel,
+    NamedCamera, NamedPoint, Note, NotePlace, Observer, Observers, Outside, Photograph, RenamedLabel, Reveal, Screen,
+    ScreenEntry, ShadowReveal, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview,
     TriangleStep, View, WorldLook, WorldPart, WorldParts,
 };
 use crate::geometry::Ray;
@@ -103,14 +103,16 @@ fn figure() -> impl Strategy<Value = Figure> {
         proptest::sample::select(SHADINGS),
         proptest::sample::select(VISIBILITIES),
         proptest::sample::select(DEPTH_FORMATS),
+        proptest::sample::select(FACE_ORDERS),
     );
-    let style = style.prop_map(|((_, shading), (_, visibility), (_, depth_format))| Style {
+    let style = style.prop_map(|((_, shading), (_, visibility), (_, depth_format), (_, order))| Style {
         shading,
         visibility,
         hidden_lines: HiddenLines::Shown,
         antialias: Samples::Sixteen,
         theme: Theme::Dark,
         depth_format,
+        order,
     });
     let observer = || {
         proptest::option::of((point(), 0.1..1e4, -90.0..=90.0, any::<bool>()).prop_map(
@@ -136,6 +138,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 single_precision: clipping && vanishing,
                 texture: culled.then_some(if clipping { TextureReveal::Affine } else { TextureReveal::Texels }),
                 shadows: [None, Some(ShadowReveal::Map), Some(ShadowReveal::Truth)][depth],
+                cost: [Some(CostReveal::Overdraw), None, Some(CostReveal::Error)][depth],
             };
             (reveal, undistorted)
         },
