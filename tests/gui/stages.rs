@@ -2,14 +2,16 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::appearance::{Samples, Visibility};
-use camera_lab::figure::Explanation;
+use camera_lab::appearance::{FaceOrder, Samples, Visibility};
+use camera_lab::figure::{CostReveal, Explanation};
 use camera_lab::gui::{Start, State};
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
 use camera_lab_words::Lang;
 use camera_lab_words::why::stages::texts;
-use eframe::egui::{Key, Modifiers};
+use camera_lab_words::window::canvas;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::Queryable as _;
 
 use super::window::Window;
@@ -70,4 +72,37 @@ fn the_ways_to_hide_are_the_figures_and_say_their_order() {
     }
     window.click(t.depth);
     assert_eq!(window.state().model.desk.shown.figure().reveal.depth, camera_lab::figure::Depth::Stored);
+}
+
+/// The cube hides nothing but its own back, so its faces need no order.
+#[test]
+fn the_cost_of_pixels_is_chosen_among_the_stages_and_told_at_the_pointer() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let (t, labels) = (texts(lang), camera_lab_words::pictures::labels(lang));
+        let mut window = staged(lang);
+        window.explain(Explanation::Stages);
+        window.click(t.costs);
+        window.click(labels.costs[1]);
+        assert_eq!(window.state().model.desk.shown.figure().reveal.cost, Some(CostReveal::Overdraw));
+        window.click(t.order);
+        window.click(labels.face_orders[1]);
+        assert_eq!(window.state().model.desk.shown.figure().style.order, FaceOrder::FrontToBack);
+        window.wait(|window| window.says(t.point_there));
+        let share = if lang == Lang::En { "0 % of the fills were painted over." } else { "0 % dos preenchimentos" };
+        assert!(window.written().iter().any(|(text, _)| text.starts_with(share)), "{:?}", window.written());
+        let image = window.harness.get_by_role_and_label(Role::Image, &described(&window, lang)).rect();
+        window.harness.hover_at(image.center());
+        window.run();
+        assert!(window.says(t.at_pixel), "{:?}", window.written());
+        assert!(window.written().iter().any(|(text, _)| text.starts_with("1. ")), "{:?}", window.written());
+        window.harness.hover_at(image.left_top() + vec2(3.0, 3.0));
+        window.run();
+        assert!(window.says(t.no_faces), "{:?}", window.written());
+    }
+}
+
+/// The description of the image.
+fn described(window: &Window, lang: Lang) -> String {
+    let shown = &window.state().model.desk.shown;
+    canvas::describe(lang, View::Image, shown.camera(), shown.figure().image)
 }

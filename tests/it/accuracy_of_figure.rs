@@ -174,9 +174,12 @@ fn tables_and_charts_are_in_both_languages_and_each_reason_is_named() {
     assert!(String::from_utf8_lossy(&bench.read("chart.svg")).contains(">yours</text>"));
     assert!(bench.read("chart.png").starts_with(b"\x89PNG"));
     // A format of depths means nothing without a depth buffer, so the table doesn't name one there.
-    assert!(english.contains("  BSP tree, 4 samples\n") && english.contains("Depth buffer, depth: 24 bits, 4 samples"));
+    assert!(
+        english.contains("  BSP tree, 4 samples\n")
+            && english.contains("Depth buffer, depth: 24 bits, faces as listed, 4 samples")
+    );
     let csv = text(&["--format", "csv"]);
-    assert!(csv.starts_with("style.visibility,style.depth_format,style.antialias,different,"), "{csv}");
+    assert!(csv.starts_with("style.visibility,style.depth_format,style.order,style.antialias,different,"), "{csv}");
     bench.write("aside.toml", format!("{FIGURE}[reveal]\nclipping = true\n"));
     let value = bench.run(&["accuracy", "aside.toml", "--seconds", "0", "--format", "json"]).json();
     assert_eq!(value["set_aside"], serde_json::json!(["[reveal]"]));

@@ -371,6 +371,8 @@ fn captions_describe_in_words_the_options_of_reveal() {
         ("reveal.outside", names(words::OUTSIDES)),
         ("reveal.texture", names(words::TEXTURE_REVEALS)),
         ("reveal.shadows", names(words::SHADOW_REVEALS)),
+        ("reveal.cost", names(words::COST_REVEALS)),
+        ("style.order", words::FACE_ORDERS.iter().map(|(word, _)| Some(*word)).collect()),
         ("show.stage", names(words::STAGES)),
         ("reveal.clipping", on_and_off()),
         ("reveal.divide_first", on_and_off()),

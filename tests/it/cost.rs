@@ -207,7 +207,7 @@ fn the_sums_of_the_pixels_are_the_costs_of_the_stages() {
         let [_, raster] = sums(&told);
         assert!(all.float <= raster[0] && all.integer <= raster[1] && all.memory <= raster[2], "{name}");
         let fills = told["fills"].as_array().unwrap();
-        assert_eq!(fills[0]["filled"], sum(|pixel| pixel.filled), "{name}");
+        assert_eq!(fills[0]["filled"], sum(|pixel| pixel.filled - pixel.ground), "{name}");
         assert_eq!(fills[0]["painted_over"], sum(|pixel| pixel.painted_over), "{name}");
     }
     assert_eq!(stages_seen.len(), 8, "{stages_seen:?}");

@@ -175,6 +175,7 @@ const ALL: Reveal = Reveal {
     single_precision: false,
     texture: None,
     shadows: None,
+    cost: None,
 };
 
 #[test]
@@ -604,6 +605,7 @@ proptest! {
             single_precision: false,
             texture: None,
     shadows: None,
+    cost: None,
         };
         let mut figure = preset(scene, reveal);
         figure.camera = Parameters {

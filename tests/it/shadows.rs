@@ -88,6 +88,7 @@ const FLAT: Style = Style {
     depth_format: camera_lab::appearance::DepthFormat::Float,
     vertex_format: camera_lab::appearance::VertexFormat::F64,
     subpixel_bits: camera_lab::appearance::SubpixelBits::Eight,
+    order: camera_lab::appearance::FaceOrder::AsListed,
 };
 
 fn target(size: ImageSize) -> Target {

@@ -398,7 +398,7 @@ proptest! {
             let mut rasterizer = Rasterizer::default();
             rasterizer.measure(Some(|| Duration::ZERO));
             let image = rasterizer.paint(&drawing).expect("a small picture");
-            let costs = at_once(textbook::cost(&drawing, &Progress::default())).expect("not cancelled");
+            let costs = at_once(textbook::cost(&drawing, 0, &Progress::default())).expect("not cancelled");
             let sum = |of: fn(&textbook::PixelCost) -> u32| costs.iter().map(|cost| u64::from(of(cost))).sum::<u64>();
             let work = rasterizer.work();
             assert_eq!([work.covered, work.written], [sum(|cost| cost.covered), sum(|cost| cost.filled)], "{order:?}");
@@ -416,7 +416,7 @@ proptest! {
     fn the_faces_at_a_pixel_have_its_counts(scene in scenes(), x in 0..80_u32, y in 0..60_u32) {
         let drawing = drawing(&scene);
         let [x, y] = [x % scene.size[0], y % scene.size[1]];
-        let costs = at_once(textbook::cost(&drawing, &Progress::default())).expect("not cancelled");
+        let costs = at_once(textbook::cost(&drawing, 0, &Progress::default())).expect("not cancelled");
         let cost = costs[(y * scene.size[0] + x) as usize];
         let faces = textbook::faces_at(&drawing, [x, y]);
         let sum = |of: fn(&textbook::PixelCost) -> u32| faces.iter().map(|face| of(&face.cost)).sum::<u32>();
@@ -442,7 +442,7 @@ fn from_front_to_back_nothing_is_painted_over() {
     let drawing = Drawing { surfaces, ..Drawing::new(8, 8, Rgba::rgb(255, 255, 255)) };
     for (order, filled) in [(FaceOrder::AsListed, 2), (FaceOrder::FrontToBack, 1), (FaceOrder::BackToFront, 3)] {
         let drawing = Drawing { order, ..drawing.clone() };
-        let costs = at_once(textbook::cost(&drawing, &Progress::default())).expect("not cancelled");
+        let costs = at_once(textbook::cost(&drawing, 0, &Progress::default())).expect("not cancelled");
         assert!(costs.iter().all(|cost| (cost.covered, cost.filled, cost.painted_over) == (3, filled, filled - 1)));
         assert!(costs.iter().all(|cost| cost.rounding == 0.0), "quarters are exact");
     }
@@ -451,6 +451,6 @@ fn from_front_to_back_nothing_is_painted_over() {
     assert_eq!(told, [(0, 0.25, None), (1, 0.75, None), (2, 0.5, Some(0.25))]);
     // Whole numbers of 16 bits don't have a quarter.
     let coarse = Drawing { depth_format: DepthFormat::Fixed16, ..drawing };
-    let costs = at_once(textbook::cost(&coarse, &Progress::default())).expect("not cancelled");
+    let costs = at_once(textbook::cost(&coarse, 0, &Progress::default())).expect("not cancelled");
     assert!(costs.iter().all(|cost| (0.25 / 65_535.0 - cost.rounding).abs() < 1e-7), "{:?}", costs[0]);
 }

@@ -24,10 +24,11 @@ const KEPT: usize = 2;
 pub struct Costs {
     /// The work on each pixel, row by row.
     pub pixels: Vec<PixelCost>,
-    /// The fills of all samples, and those of them that were painted over, in each order of faces that the picture can
-    /// have. Its own comes first.
+    /// The fills of all samples by the scene, and those of them that were painted over, in each order of faces that the
+    /// picture can have. Its own comes first.
     pub fills: Vec<(FaceOrder, [u64; 2])>,
     drawing: Drawing,
+    ground: usize,
     depths: DepthScale,
     /// The stages of pixels that ran, each with all its operations. Those on triangles belong to no pixel.
     stages: Vec<(Stage, Operations)>,
@@ -42,13 +43,13 @@ impl Costs {
     pub async fn of(request: &Request, renderer: &mut Renderer, progress: &Progress) -> Option<Self> {
         let own = request.sides().map_or_else(|| request.clone(), |[own, _]| own.request);
         let plain = own.with_shot(|shot| shot.look.reveal.cost = None);
-        let Frame { drawing, report, lamps, depths, .. } = renderer.drawing(&plain)?;
-        let pixels = cost(&drawing, progress).await?;
+        let Frame { drawing, report, lamps, depths, ground, .. } = renderer.drawing(&plain)?;
+        let pixels = cost(&drawing, ground, progress).await?;
         let mut counted = vec![(drawing.face_order(), fills(&pixels))];
         for &(_, order) in FaceOrder::NAMED.iter().filter(|(_, order)| *order != drawing.face_order()) {
             let other = Drawing { order, ..drawing.clone() };
             if other.face_order() == order {
-                counted.push((order, fills(&cost(&other, progress).await?)));
+                counted.push((order, fills(&cost(&other, ground, progress).await?)));
             }
         }
         let in_order = drawing.painted_in_order;
@@ -66,7 +67,7 @@ impl Costs {
             (report.stage, operations(report.stage, elements))
         });
         let stages = stages.collect();
-        let mut costs = Self { pixels, fills: counted, drawing, depths, stages, lamps, samples, in_order };
+        let mut costs = Self { pixels, fills: counted, drawing, ground, depths, stages, lamps, samples, in_order };
         let sum = |(stage, own): &(Stage, Operations)| {
             let on_pixels = costs.pixels.iter().map(|pixel| costs.at(*stage, pixel));
             (*stage, on_pixels.fold(*own, Operations::and))
@@ -123,7 +124,8 @@ impl Costs {
                 operations: float + integer + memory,
             }
         };
-        faces_at(&self.drawing, pixel).into_iter().map(priced).collect()
+        let of_scene = |face: &FaceAtPixel| face.face[0] >= self.ground;
+        faces_at(&self.drawing, pixel).into_iter().filter(of_scene).map(priced).collect()
     }
 
     /// The share of fills that were painted over in an order, 0 … 1; `None` if the picture can't have it.
@@ -150,7 +152,7 @@ pub struct PricedFace {
 
 fn fills(pixels: &[PixelCost]) -> [u64; 2] {
     let sum = |of: fn(&PixelCost) -> u32| pixels.iter().map(|pixel| u64::from(of(pixel))).sum();
-    [sum(|pixel| pixel.filled), sum(|pixel| pixel.painted_over)]
+    [sum(|pixel| pixel.filled - pixel.ground), sum(|pixel| pixel.painted_over)]
 }
 
 /// The maps of the last pictures.
@@ -202,7 +204,7 @@ async fn map(request: &Request, renderer: &mut Renderer, progress: &Progress) ->
     let [back, front] = [0.0, 1.0].map(|depth| costs.depths.in_scale(&volume, depth));
     #[expect(clippy::cast_possible_truncation, reason = "for a colour")]
     let value = |pixel: &PixelCost| match of {
-        CostReveal::Overdraw => f64::from(pixel.filled) / costs.samples as f64,
+        CostReveal::Overdraw => f64::from(pixel.filled - pixel.ground) / costs.samples as f64,
         CostReveal::Operations => {
             let Operations { float, integer, memory } = costs.of_pixel(pixel);
             (float + integer + memory) as f64

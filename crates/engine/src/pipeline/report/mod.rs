@@ -44,6 +44,8 @@ pub struct Frame {
     pub work: Option<StageWork>,
     /// Faces that only show the drops of that stage. They are painted over the drawing, and no stage counts them.
     pub dropped_faces: Vec<Surface>,
+    /// Number of surfaces at the beginning of the drawing that lie under the scene, as paper and a photograph do.
+    pub ground: usize,
     /// The picture before that stage, for its left half; `None` if the output is drawn over the input.
     pub before: Option<Drawing>,
     /// The place of the followed triangle in the drawing; `None` if there is none, or its object isn't drawn.

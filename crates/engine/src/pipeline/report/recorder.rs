@@ -101,6 +101,7 @@ impl<'a> Recorder<'a> {
             over_budget: OverBudget::rounding(self.misplaced.found()),
             depths: projector.depths,
             dropped_faces: Vec::new(),
+            ground: 0,
             before: None,
             followed: self.followed,
             report,

@@ -96,8 +96,10 @@ impl Bins {
     /// power of two.
     pub(super) fn sort(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize, bands: usize) {
         self.used = 0;
-        let listed = |s: &Surface| !is_sorted(drawing, s);
-        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| listed(s)) {
+        let order = drawing.face_order();
+        let is_sorted =
+            |s: &Surface| !drawing.painted_in_order && (s.translucent || s.depth_test && order != FaceOrder::AsListed);
+        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| !is_sorted(s)) {
             for first in (0..s.triangles.len()).step_by(CHUNK) {
                 if self.used == self.chunks.len() {
                     self.chunks.push(Stretch::default());
@@ -116,14 +118,21 @@ impl Bins {
             chunks.iter_mut().for_each(fill);
         }
         let kept: usize = self.chunks[..self.used].iter().map(|chunk| chunk.kept).sum();
-        self.sort_by_depth(drawing, many, size, height);
+        self.sort_by_depth(drawing, is_sorted, many, size, height);
         self.sort_runs(bands);
         self.kept = kept + self.sorted.len();
     }
 
-    fn sort_by_depth(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize) {
+    fn sort_by_depth(
+        &mut self,
+        drawing: &Drawing,
+        is_sorted: impl Fn(&Surface) -> bool,
+        many: bool,
+        size: Size,
+        height: usize,
+    ) {
         self.sorted.clear();
-        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| is_sorted(drawing, s)) {
+        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| is_sorted(s)) {
             let layer = u8::from(s.translucent) + u8::from(s.translucent && !s.depth_test);
             let sign = if layer == 0 && drawing.order == FaceOrder::FrontToBack { -1.0 } else { 1.0 };
             boxes(s, 0..s.triangles.len(), many, size, |triangle, rows, columns| {
@@ -205,11 +214,6 @@ impl Stretch {
             }
         });
     }
-}
-
-/// True if the depths of a surface's triangles decide when they're painted.
-fn is_sorted(drawing: &Drawing, s: &Surface) -> bool {
-    !drawing.painted_in_order && (s.translucent || s.depth_test && drawing.face_order() != FaceOrder::AsListed)
 }
 
 /// Calls `found` for each triangle that may own a sample, in order, with the rows and columns of the picture that it

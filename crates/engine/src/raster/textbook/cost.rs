@@ -21,7 +21,9 @@ pub struct PixelCost {
     pub covered: u32,
     /// Samples that were filled, because nothing nearer had been drawn before.
     pub filled: u32,
-    /// Fills that an opaque face painted over later.
+    /// Those of them on the ground: surfaces that lie under the scene.
+    pub ground: u32,
+    /// Fills that an opaque face painted over later, besides those on the ground.
     pub painted_over: u32,
     /// Colours of which something is interpolated.
     pub interpolated: u32,
@@ -49,14 +51,15 @@ impl PixelCost {
     }
 }
 
-/// Counts the work on each pixel, row by row. `None` if it was cancelled. It pauses on the way. Shadow maps are pictures
+/// Counts the work on each pixel, row by row. The first `ground` surfaces are the ground. `None` if it was cancelled. It pauses on the way. Shadow maps are pictures
 /// of their own, and not in the counts.
-pub async fn cost(drawing: &Drawing, progress: &Progress) -> Option<Vec<PixelCost>> {
+pub async fn cost(drawing: &Drawing, ground: usize, progress: &Progress) -> Option<Vec<PixelCost>> {
     let order = painting_order(drawing);
+    let ground = drawing.surfaces.iter().take(ground).map(|surface| surface.triangles.len()).sum();
     let starts: Vec<u32> = (0..drawing.height).step_by(ROWS as usize).collect();
     let mut all = Vec::with_capacity(drawing.width as usize * drawing.height as usize);
     for starts in starts.chunks(rayon::current_num_threads().max(1)) {
-        let parts: Vec<_> = starts.par_iter().map(|&first| of_rows(drawing, &order, first)).collect();
+        let parts: Vec<_> = starts.par_iter().map(|&first| of_rows(drawing, &order, ground, first)).collect();
         all.extend(parts.into_iter().flatten());
         if progress.is_cancelled() {
             return None;
@@ -66,7 +69,7 @@ pub async fn cost(drawing: &Drawing, progress: &Progress) -> Option<Vec<PixelCos
     Some(all)
 }
 
-fn of_rows(drawing: &Drawing, order: &[Face], first: u32) -> Vec<PixelCost> {
+fn of_rows(drawing: &Drawing, order: &[Face], ground: usize, first: u32) -> Vec<PixelCost> {
     let rows = first..drawing.height.min(first + ROWS);
     let places = samples(drawing.antialias);
     let mut all = cleared(drawing, rows.end - rows.start);
@@ -79,6 +82,7 @@ fn of_rows(drawing: &Drawing, order: &[Face], first: u32) -> Vec<PixelCost> {
             let number = |list: &[usize]| u32::try_from(list.len()).unwrap_or(u32::MAX);
             cost.covered += number(met.covered);
             cost.filled += number(met.visible);
+            cost.ground += if face.place < ground { number(met.visible) } else { 0 };
             if !met.visible.is_empty() {
                 cost.color(face.surface);
             }
@@ -89,7 +93,7 @@ fn of_rows(drawing: &Drawing, order: &[Face], first: u32) -> Vec<PixelCost> {
                     *rounding =
                         if face.surface.depth_test { rounded(triangle, &met, places[s], pixel[s].depth) } else { 0.0 };
                 }
-                *fills += 1;
+                *fills += u32::from(face.place >= ground);
             }
         });
     }

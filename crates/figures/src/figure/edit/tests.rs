@@ -4,13 +4,13 @@ use super::*;
 use crate::appearance::{Filter, HiddenLines, Rgba, Samples, Style, SubpixelBits, TextureReveal, Theme, Wrap};
 use crate::camera::{Decomposition, ImageSize, Ndc, Operation, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{
-    ARRANGEMENTS, DEPTH_FORMATS, DIMENSIONS, MEASURE_TEXTS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES, SHADINGS,
-    VERTEX_FORMATS, VISIBILITIES,
+    ARRANGEMENTS, DEPTH_FORMATS, DIMENSIONS, FACE_ORDERS, MEASURE_TEXTS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES,
+    SHADINGS, VERTEX_FORMATS, VISIBILITIES,
 };
 use crate::figure::{
-    CameraTag, Comparison, Depth, LabelledMeasure, Labels, Letters, Localized, Measured, MovedLabel, NamedCamera,
-    NamedPoint, Note, NotePlace, Observer, Observers, Outside, Photograph, RenamedLabel, Reveal, Screen, ScreenEntry,
-    ShadowReveal, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview,
+    CameraTag, Comparison, CostReveal, Depth, LabelledMeasure, Labels, Letters, Localized, Measured, MovedLabel,
+    NamedCamera, NamedPoint, Note, NotePlace, Observer, Observers, Outside, Photograph, RenamedLabel, Reveal, Screen,
+    ScreenEntry, ShadowReveal, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview,
     TriangleStep, View, WorldLook, WorldPart, WorldParts,
 };
 use crate::geometry::Ray;
@@ -103,18 +103,19 @@ fn figure() -> impl Strategy<Value = Figure> {
         proptest::sample::select(SHADINGS),
         proptest::sample::select(VISIBILITIES),
         proptest::sample::select(DEPTH_FORMATS),
-        proptest::sample::select(VERTEX_FORMATS),
-        proptest::sample::select(&SubpixelBits::ALL[..]),
+        (proptest::sample::select(VERTEX_FORMATS), proptest::sample::select(&SubpixelBits::ALL[..])),
+        proptest::sample::select(FACE_ORDERS),
     );
-    let style = style.prop_map(|((_, shading), (_, visibility), (_, depth_format), (_, vertex_format), bits)| Style {
-        shading,
-        visibility,
+    let style = style.prop_map(|(shading, visibility, depth_format, ((_, vertex_format), bits), order)| Style {
+        shading: shading.1,
+        visibility: visibility.1,
         hidden_lines: HiddenLines::Shown,
         antialias: Samples::Sixteen,
         theme: Theme::Dark,
-        depth_format,
+        depth_format: depth_format.1,
         vertex_format,
         subpixel_bits: bits,
+        order: order.1,
     });
     let observer = || {
         proptest::option::of((point(), 0.1..1e4, -90.0..=90.0, any::<bool>()).prop_map(
@@ -140,6 +141,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 single_precision: clipping && vanishing,
                 texture: culled.then_some(if clipping { TextureReveal::Affine } else { TextureReveal::Texels }),
                 shadows: [None, Some(ShadowReveal::Map), Some(ShadowReveal::Truth)][depth],
+                cost: [Some(CostReveal::Overdraw), None, Some(CostReveal::Error)][depth],
             };
             (reveal, undistorted)
         },

@@ -146,6 +146,7 @@ fn every_key_is_read() {
         single_precision: true,
         texture: None,
         shadows: Some(ShadowReveal::Acne),
+        cost: None,
     };
     assert_eq!(figure.reveal, all);
     let world = figure.observers.world.unwrap();

@@ -221,7 +221,7 @@ impl<'a> Image<'a> {
     fn put_photograph_under(&mut self) {
         if self.greys.is_none() {
             let drawings = std::iter::once(&mut self.drawn.drawing).chain(&mut self.drawn.before);
-            put_photograph_under(drawings, self.request);
+            self.drawn.ground += usize::from(put_photograph_under(drawings, self.request));
         }
     }
 
@@ -240,6 +240,7 @@ impl<'a> Image<'a> {
             }
         };
         std::iter::once(&mut self.drawn.drawing).chain(&mut self.drawn.before).for_each(mount);
+        self.drawn.ground += usize::from(!request.finish.transparent);
         let dropped = self.drawn.dropped_faces.iter_mut().flat_map(|face| &mut face.positions);
         dropped.for_each(|p| *p = shifted(*p, rect));
     }
@@ -285,13 +286,13 @@ fn keep_first_triangles(drawing: &mut Drawing, share: f64) -> [usize; 2] {
 }
 
 /// Puts the photograph of the figure behind everything else in drawings of its image, with its opacity. Images of other
-/// cameras don't have it, because the figure's own camera took it.
-fn put_photograph_under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, request: &Request) {
+/// cameras don't have it, because the figure's own camera took it. False if there is none.
+fn put_photograph_under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, request: &Request) -> bool {
     let share = request.shot.look.photograph_opacity;
     #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
     let opacity = (255.0 * share.clamp(0.0, 1.0)).round() as u8;
     let Some(image) = request.scene.photograph.as_ref().filter(|_| opacity > 0 && request.projector.is_none()) else {
-        return;
+        return false;
     };
     for drawing in drawings {
         let [w, h] = [drawing.width, drawing.height].map(|side| side as f32);
@@ -312,6 +313,7 @@ fn put_photograph_under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, req
         let plain = Surface::solid(corners, triangles, Rgba::rgb(255, 255, 255));
         drawing.surfaces.insert(0, Surface { base, translucent, depth_test: translucent, ..plain });
     }
+    true
 }
 
 /// Adds the content of another drawing in the same place, with the same depths.

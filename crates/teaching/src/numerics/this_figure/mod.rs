@@ -559,8 +559,9 @@ mod tests {
         }
         assert_eq!(study_of("empty").ways.len(), 1);
         assert_eq!(study_of("pipeline/wireframe").ways.len(), 1);
-        // Formats of depths mean nothing without a depth buffer: 3 + 1 + 1 ways of hiding, three numbers of samples.
-        assert_eq!(study_of("house").ways.len(), 15);
+        // Formats of depths and orders mean nothing without a depth buffer: 3 · 3 + 1 + 1 ways of hiding, three numbers
+        // of samples.
+        assert_eq!(study_of("house").ways.len(), 33);
     }
 
     /// Of a figure with more combinations than are all tried, every one is tried here.
