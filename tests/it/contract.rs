@@ -152,7 +152,7 @@ fn faults_of_the_figure_are_named_in_one_paragraph() {
             "[style]\nthem = \"dark\"",
             "figure.toml, line 2: [style] them is unknown (did you mean theme?); allowed: shading, visibility, \
              hidden_lines, antialias, theme, depth_format, \
-             vertex_format, subpixel_bits",
+             vertex_format, subpixel_bits, order",
         ),
         (
             "[camera]\nnear = 1,5",
