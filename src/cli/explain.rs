@@ -12,7 +12,7 @@ use crate::cli::args::figure::size;
 use crate::cli::args::words::TableFormat;
 use crate::clock;
 use crate::numerics::this_figure::{Saving, savings};
-use crate::picture::{Costs, Pixels, RenderReport, Renderer};
+use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::{Containment, ObjectReport, Stage, StageReport};
 use crate::progress::{Progress, at_once};
 use crate::sanitize::{self, escaped};
@@ -96,7 +96,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     let (size, lang) = (*size, *lang);
     let request = subject.request(args.view, args.force_all_stages);
     let mut account = account(&request).ok_or_else(|| subject.too_large())?;
-    let counted = |progress: &Progress| at_once(Costs::of(&request, &mut Renderer::default(), progress));
+    let counted = |progress: &Progress| at_once(Renderer::default().costs(&request, progress));
     let costs = args.cost.then(|| progress::watched(lang, counted).ok_or_else(|| subject.too_large())).transpose()?;
     for report in account.stages.iter_mut().filter(|report| report.stage.is_raster()) {
         report.operations = costs.as_ref().map_or(Operations::NONE, |costs| costs.of_stage(report.stage));

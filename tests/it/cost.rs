@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use camera_lab::appearance::{DepthFormat, FaceOrder, Samples, Theme, Visibility};
 use camera_lab::camera::Camera;
-use camera_lab::picture::{Costs, Renderer};
+use camera_lab::picture::Renderer;
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::textbook::PixelCost;
 use camera_lab::scene::Wanted;
@@ -176,8 +176,7 @@ fn the_sums_of_the_pixels_are_the_costs_of_the_stages() {
         let name = path.to_string_lossy().into_owned();
         let told = told(&bench, &[&name, "--size", "160x120"]);
         let request = request_of(&path, [160, 120]);
-        let costs = at_once(Costs::of(&request, &mut Renderer::default(), &Progress::default())).unwrap();
-        assert_eq!(costs.pixels.len(), 160 * 120);
+        let costs = at_once(Renderer::default().costs(&request, &Progress::default())).unwrap();
         let sum = |of: fn(&PixelCost) -> u32| costs.pixels.iter().map(|pixel| u64::from(of(pixel))).sum::<u64>();
         let report = |stage: Stage| {
             told["stages"].as_array().unwrap().iter().find(|told| told["stage"] == stage.name()).unwrap()
@@ -238,7 +237,7 @@ fn the_order_of_faces_changes_no_byte_with_a_depth_buffer() {
                         style.visibility = Visibility::DepthBuffer;
                     });
                     if antialias == Samples::One {
-                        let costs = at_once(Costs::of(&with, &mut renderer, &Progress::default())).unwrap();
+                        let costs = at_once(renderer.costs(&with, &Progress::default())).unwrap();
                         counts.push(costs.fills[0].1);
                     }
                     renderer.pixels(&with).unwrap()
@@ -258,7 +257,7 @@ fn the_image_is_tinted_and_says_what_was_painted_over() {
     let bench = Bench::new("cost-tint");
     let sheet = |z: f64, x: f64| {
         format!(
-            "[[scene.objects]]\nshape = \"box\"\ncolor = \"#4477aa\"\nscale = [2, 2, 0.01]\ntranslate = [{x}, 0, {z}]\n"
+            "[[scene.objects]]\nshape = \"box\"\ncolor = \"#4477aa\"\nscale = [1, 1, 0.01]\ntranslate = [{x}, 0, {z}]\n"
         )
     };
     let figure = format!(

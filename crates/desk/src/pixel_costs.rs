@@ -15,9 +15,7 @@ impl Default for PixelCosts {
     fn default() -> Self {
         let count = || {
             let mut renderer = Renderer::default();
-            async move |request: &Request, progress: &crate::progress::Progress| {
-                Costs::of(request, &mut renderer, progress).await
-            }
+            async move |request: &Request, progress: &crate::progress::Progress| renderer.costs(request, progress).await
         };
         Self(Latest::new("costs", count))
     }

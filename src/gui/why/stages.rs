@@ -39,7 +39,7 @@ fn shown(ui: &mut Ui, t: &stages::Texts, model: &Model) {
     source(ui, t, stage);
 }
 
-/// What the pixels cost: the tint of the image, the needless fills, and the faces at the pixel of the probe.
+/// The cost of the pixels: the tint of the image, the needless fills, and the faces at the pixel of the probe.
 fn costs(ui: &mut Ui, t: &stages::Texts, model: &mut Model) {
     let lang = model.settings.lang;
     let labels = camera_lab_words::pictures::labels(lang);

@@ -6,8 +6,8 @@
 //! translucent colour over the pixel, `antialias` averages the samples of a pixel, and `write` stores the result.
 //! [`paint`] calls them: for each triangle, for each pixel of its box. Nothing is kept from one pixel to the next. One
 //! step comes early: hidden surfaces (8) before the colour (7), so that hidden pixels cost no colour. `triangle` holds
-//! the edges and the planes of attributes, `colors` the shading, `texels` the filters, `lamp` the view of a lamp. `cost`
-//! counts the work instead of painting.
+//! the edges and the planes of attributes, `colors` the shading, `texels` the filters, `lamp` the view of a lamp.
+//! `cost` counts the work instead of painting.
 //!
 //! The program paints with [`Rasterizer`](super::Rasterizer), which gives the same bytes much faster. It cuts the
 //! picture into bands of rows, one at a time for each thread, and looks at a triangle only in the bands that it
@@ -199,8 +199,8 @@ fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize>
 
 /// **Hidden surfaces**: the z-buffer of `[2]`. Depths are reversed, so the greater one is nearer. A sample stays if the
 /// triangle is nearer there than the stored depth. An opaque triangle then stores its own depth, a translucent one
-/// doesn't. Of equal depths the first one in the list stays, in whatever order they're painted, while `<=` in `[2]` lets
-/// the last one win. In a drawing that is painted in order, every sample stays. `[3]` §1.1, step 8
+/// doesn't. Of equal depths the first one in the list stays, in whatever order they're painted, while `<=` in `[2]`
+/// lets the last one win. In a drawing that is painted in order, every sample stays. `[3]` §1.1, step 8
 fn hidden_surfaces(
     covered: &[usize],
     pixel: &mut [Sample],

@@ -28,7 +28,7 @@ pub struct Reveal {
 }
 
 crate::worded! {
-    /// What a pixel cost, or how far it's off (`[reveal] cost`).
+    /// The price of a pixel, or its error (`[reveal] cost`).
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum CostReveal {
         /// How often it was filled, on average over its samples.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::Renderer;
+use super::Pixels;
 use super::exact_image::{NoExactImage, exact_image};
 use crate::appearance::{FaceOrder, Rgba};
 use crate::drawing::Drawing;
@@ -11,10 +11,11 @@ use crate::pipeline::depths::DepthScale;
 use crate::pipeline::operations::{Elements, operations};
 use crate::pipeline::{Frame, ShadowMaps};
 use crate::progress::Progress;
+use crate::raster::Rasterizer;
 use crate::raster::textbook::{FaceAtPixel, PixelCost, cost, faces_at};
 use crate::scene::Scene;
 use crate::stage::{Operations, Stage};
-use crate::views::{CostMap, Hover, Request, View};
+use crate::views::{self, CostMap, Hover, Request, TimedPipeline, View};
 
 /// Number of cached maps: the two sides of a comparison.
 const KEPT: usize = 2;
@@ -38,12 +39,9 @@ pub struct Costs {
 }
 
 impl Costs {
-    /// Counts the work on the pixels of a picture. For a compared picture, that of the figure as it is. `None` if there
-    /// isn't enough memory, or it was cancelled. It pauses on the way.
-    pub async fn of(request: &Request, renderer: &mut Renderer, progress: &Progress) -> Option<Self> {
-        let own = request.sides().map_or_else(|| request.clone(), |[own, _]| own.request);
-        let plain = own.with_shot(|shot| shot.look.reveal.cost = None);
-        let Frame { drawing, report, lamps, depths, ground, .. } = renderer.drawing(&plain)?;
+    /// Counts the work on the pixels of a picture. `None` if it was cancelled. It pauses on the way.
+    pub(super) async fn of(frame: Frame, progress: &Progress) -> Option<Self> {
+        let Frame { drawing, report, lamps, depths, ground, .. } = frame;
         let pixels = cost(&drawing, ground, progress).await?;
         let mut counted = vec![(drawing.face_order(), fills(&pixels))];
         for &(_, order) in FaceOrder::NAMED.iter().filter(|(_, order)| *order != drawing.face_order()) {
@@ -175,19 +173,22 @@ impl FoundCosts {
         if let Some((_, map)) = self.kept.iter().find(|(of, _)| *of == key) {
             return Some(Arc::clone(map));
         }
-        let map = Arc::new(map(&key, &mut Renderer::sharing(shadow_maps), progress).await?);
+        let mut pipeline = TimedPipeline::default();
+        pipeline.stages.share_shadows(shadow_maps);
+        let map = Arc::new(map(&key, &mut pipeline, progress).await?);
         self.kept.truncate(KEPT - 1);
         self.kept.insert(0, (key, Arc::clone(&map)));
         Some(map)
     }
 }
 
-async fn map(request: &Request, renderer: &mut Renderer, progress: &Progress) -> Option<CostMap> {
+async fn map(request: &Request, pipeline: &mut TimedPipeline, progress: &Progress) -> Option<CostMap> {
     let of = request.shot.look.reveal.cost?;
     let size = [request.size.width, request.size.height];
     let plain = request.clone().with_shot(|shot| shot.look.reveal.cost = None);
+    let frame = views::frame(&plain, None, pipeline);
     if of == CostReveal::Error {
-        let drawn = renderer.pixels(&plain)?;
+        let drawn = Pixels::from(Rasterizer::default().paint(&frame.drawing)?);
         let values = match exact_image(&exact(&plain), progress).await {
             Err(NoExactImage::Cancelled | NoExactImage::Memory) => return None,
             Err(NoExactImage::Pixels | NoExactImage::Triangles) => Vec::new(),
@@ -198,7 +199,7 @@ async fn map(request: &Request, renderer: &mut Renderer, progress: &Progress) ->
         };
         return Some(CostMap { size, values, painted_over: (0.0, None) });
     }
-    let costs = Costs::of(&plain, renderer, progress).await?;
+    let costs = Costs::of(frame, progress).await?;
     let camera = &request.camera;
     let volume = DepthScale::of_volume(camera.projection(), camera.near(), camera.far());
     let [back, front] = [0.0, 1.0].map(|depth| costs.depths.in_scale(&volume, depth));

@@ -18,15 +18,15 @@ use crate::camera::{Camera, ImageSize, Projection};
 use crate::drawing::{Base, Drawing};
 use crate::geometry::try_unit;
 use crate::limits::{MAX_RAY_TRIANGLES, MAX_STEPPED_PIXELS};
+use crate::picture::Pixels;
 use crate::picture::shadow_truth::{by_rows, center};
 use crate::picture::tiles::{Nearest, Tiles};
-use crate::picture::{Pixels, Renderer};
 use crate::pipeline::reflection::{AMBIENT, DIFFUSE, SHININESS, SPECULAR};
 use crate::pipeline::shadow_rays::Solids;
 use crate::progress::{Activity, Progress};
 use crate::raster::Rasterizer;
 use crate::scene::{Light, LightKind, Object, ObjectPaint, Pictured, Scene};
-use crate::views::{Palette, PixelRect, Request, image_frame};
+use crate::views::{self, Palette, PixelRect, Request, TimedPipeline, image_frame};
 
 /// Places along one side of a pixel.
 const SIDE: u32 = 8;
@@ -85,7 +85,7 @@ pub async fn exact_image(request: &Request, progress: &Progress) -> Result<Exact
         (style.visibility, style.depth_format) = (Visibility::DepthBuffer, DepthFormat::Float);
         style.antialias = Samples::Sixteen;
     });
-    let drawing = Renderer::default().drawing(&best).ok_or(NoExactImage::Memory)?.drawing;
+    let drawing = views::frame(&best, None, &mut TimedPipeline::default()).drawing;
     let over = Overlay::of(drawing).ok_or(NoExactImage::Memory)?;
     let palette = Palette::of(request.shot.look.style.theme);
     let PixelRect { x, y, width, height } = frame;
@@ -553,6 +553,7 @@ mod tests {
     use super::*;
     use crate::figure::read::parse;
     use crate::figure::{Reveal, Show};
+    use crate::picture::Renderer;
     use crate::progress::at_once;
     use crate::scene::{build, no_files};
     use crate::views::{SharedScene, Size, View, unlabelled};

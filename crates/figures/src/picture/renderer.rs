@@ -9,7 +9,7 @@ use std::time::Duration;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 
 use super::compared::{Differences, counted_requests, differing_share, joined};
-use super::cost::FoundCosts;
+use super::cost::{Costs, FoundCosts};
 use super::plate::Plates;
 use super::shadow_truth::FoundShadows;
 use super::{FollowedTriangle, Pixels, RenderReport};
@@ -186,6 +186,14 @@ impl Renderer {
     /// without enough memory for the image on the window.
     pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
         at_once(self.timed_drawing(request)).map(|(frame, _)| frame)
+    }
+
+    /// The cost of each pixel of a picture. For a compared picture, that of the figure as it is. `None` without enough
+    /// memory, or if it was cancelled. It pauses on the way.
+    pub async fn costs(&mut self, request: &Request, progress: &Progress) -> Option<Costs> {
+        let own = request.sides().map_or_else(|| request.clone(), |[own, _]| own.request);
+        let plain = own.with_shot(|shot| shot.look.reveal.cost = None);
+        Costs::of(self.drawing(&plain)?, progress).await
     }
 
     /// The plates of a picture in which nothing is compared, for a page of vectors. `None` without enough memory for

@@ -70,13 +70,12 @@ use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_first, used_area};
 pub use compared::{Side, overlay};
-pub use image::cost::CostMap;
 pub use image::depth;
 pub use image::light_view::{ShadowAt, shadows_at};
 pub use interact::cameras::camera_at;
 pub use interact::hover::{
-    Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, Projector, ShadowTruth, TransformGizmo, Transforming,
-    TriangleOverlay,
+    CostMap, Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, Projector, ShadowTruth, TransformGizmo,
+    Transforming, TriangleOverlay,
 };
 pub use interact::{handles, named_points, pick, transform_gizmo};
 pub use observer::ObserverOf;

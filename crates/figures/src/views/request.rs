@@ -49,7 +49,7 @@ pub struct Request {
     pub projector: Option<Option<Projector>>,
     /// The places where the shadow maps of the image are wrong. Only the renderer sets it.
     pub shadow_truth: Option<Arc<ShadowTruth>>,
-    /// What the pixels of the image cost. Only the renderer sets it.
+    /// The costs of the pixels of the image. Only the renderer sets it.
     pub cost: Option<Arc<CostMap>>,
 }
 

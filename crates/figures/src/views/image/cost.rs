@@ -12,23 +12,6 @@ use crate::views::{Palette, Request};
 /// The colours of a scale, from nothing to the greatest value: viridis, whose lightness grows evenly.
 const COLORS: [[u8; 3]; 5] = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
 
-/// A value for each pixel of a picture.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CostMap {
-    /// Width and height, pixels.
-    pub size: [u32; 2],
-    /// Row by row. A pixel with 0 isn't tinted. Empty if there's no exact image.
-    pub values: Vec<f32>,
-    /// The share of fills that are painted over, 0 … 1, and the same from front to back if a depth buffer sorts faces.
-    pub painted_over: (f64, Option<f64>),
-}
-
-impl CostMap {
-    fn greatest(&self) -> f32 {
-        self.values.iter().copied().fold(0.0, f32::max)
-    }
-}
-
 /// The place of a value on its scale, 0 … 1. Rounding and errors are mostly far below their greatest value, so their
 /// scale shows roots.
 fn share(of: CostReveal, value: f64) -> f64 {

@@ -85,6 +85,24 @@ impl ShadowTruth {
     }
 }
 
+/// A value for each pixel of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CostMap {
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// Row by row. A pixel with 0 isn't tinted. Empty if there's no exact image.
+    pub values: Vec<f32>,
+    /// The share of fills that are painted over, 0 … 1, and the same from front to back if a depth buffer sorts faces.
+    pub painted_over: (f64, Option<f64>),
+}
+
+impl CostMap {
+    /// The greatest of them.
+    pub(in crate::views) fn greatest(&self) -> f32 {
+        self.values.iter().copied().fold(0.0, f32::max)
+    }
+}
+
 /// A projector of one camera, as another camera of the figure sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projector {
