@@ -32,6 +32,9 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
     if numerics.measuring().is_some() {
         ui.ctx().request_repaint_after(GLANCE);
     }
+    if numerics.of_figure {
+        three_ways(ui, model);
+    }
     let height = ui.available_height();
     let mut opened = None;
     ui.horizontal_top(|ui| {
@@ -108,8 +111,6 @@ fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
                 numerics.of_figure = false;
             }
         }
-        ui.separator();
-        three_ways(ui, model);
     });
 }
 
@@ -117,13 +118,11 @@ fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
 fn three_ways(ui: &mut Ui, model: &Model) {
     let lang = model.settings.lang;
     let t = words::texts(lang);
-    ui.label(RichText::new(t.three_ways).strong()).explained(t.three_ways_hint);
     let ThreeWays { reference, bound, random } = ThreeWays::new(model.desk.shown.camera().parameters());
-    Grid::new("three ways").num_columns(2).show(ui, |ui| {
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new(t.three_ways).strong()).explained(t.three_ways_hint);
         for (way, digits) in [(t.by_reference, reference), (t.by_bound, bound), (t.by_random, random)] {
-            ui.label(RichText::new(way).small());
-            ui.label(RichText::new(words::digits(lang, digits)).small());
-            ui.end_row();
+            ui.label(format!("{way} {}", words::digits(lang, digits)));
         }
     });
 }
