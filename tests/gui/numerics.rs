@@ -76,6 +76,7 @@ fn a_study_is_measured_and_its_worst_cameras_open_after_a_question() {
 #[test]
 fn the_panel_speaks_portuguese_and_goes_away_again() {
     let mut window = window(Lang::PtBr);
+    assert!(window.harness.query_by_label_contains("por arredondamento ao acaso 15").is_some(), "this figure's M_v");
     window.click("Recorte por w = 0");
     measured(&mut window);
     for text in ["erro contra parâmetro", "erro contra tempo", "f64 depois da divisão"] {

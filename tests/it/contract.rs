@@ -225,3 +225,23 @@ fn files_that_are_not_figures_are_named() {
         assert!(run.refused(2).contains(part), "{part}: {}", run.err);
     }
 }
+
+/// The list has each number with the bounds of the JSON, and what the questions lose.
+#[test]
+fn bounds_are_printed_as_json_and_as_a_list() {
+    let bench = Bench::new("contract-bounds");
+    let arguments = ["--bounds", "--point", "0,0,0", "--pixel", "3,4", "--op", "azimuth=30"];
+    let json = inspect(&bench, "", &arguments).json();
+    let plain = inspect(&bench, "", &arguments[1..]).json();
+    assert!(plain.get("bounds").is_none() && plain.get("condition").is_none());
+    let [low, high] = [0, 1].map(|end| json["bounds"]["distance"][end].as_f64().unwrap());
+    assert!((low..=high).contains(&json["distance"].as_f64().unwrap()) && high - low < 2e-15);
+    // The centre of the image is the corner of four pixels.
+    assert_eq!(json["bounds"]["points"][0]["pixel"][0][1], 512);
+    assert!(json["condition"]["basis"].as_f64().unwrap() > 0.1);
+    let run = bench.run(&[&["inspect", "figure.toml"], &arguments[..], &["--format", "text", "--lang", "en"]].concat());
+    let list = String::from_utf8_lossy(run.done());
+    let line = list.lines().find(|line| line.starts_with("distance ")).unwrap().to_owned();
+    assert!(line.contains(&json["bounds"]["distance"][0].to_string()) && line.ends_with("15 digits proved"), "{line}");
+    assert!(list.contains("(M_p M_v)⁻¹: the question itself loses"));
+}

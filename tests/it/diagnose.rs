@@ -322,3 +322,39 @@ fn no_sentence_and_no_number_is_infinite() {
         }
     }
 }
+
+/// A narrow view magnifies roundings, and the proof says to how many pixels.
+#[test]
+fn the_distance_of_vertices_from_their_places_is_proved_for_this_figure() {
+    let bench = Bench::new("diagnose-placed");
+    let within = |degrees: f64| {
+        let small = "[[scene.objects]]\nname = \"box\"\nshape = \"box\"\nscale = [1e-10, 1e-10, 1e-10]\n";
+        bench.write("placed.toml", format!("[camera]\nview_angle = {degrees:?}\n{small}"));
+        let run = bench.run(&["diagnose", "placed.toml", "--lang", "en"]);
+        let text = String::from_utf8_lossy(run.done());
+        assert!(text.contains("of its place, proved."), "{text}");
+        bench.run(&["diagnose", "placed.toml", "--format", "json"]).json()["placed_within"].as_f64().unwrap()
+    };
+    let ordinary = within(45.0);
+    // Half a step of the grid of 1/256 of a pixel in x and in y, and hardly more.
+    assert!((1.0 / 256.0..0.02).contains(&ordinary), "{ordinary}");
+    assert!(within(1e-8) > 2.0 * ordinary);
+}
+
+/// VUP is 0.001° from the line of sight. The basis loses five digits by the question itself, and none by our method.
+#[test]
+fn the_check_tells_the_loss_of_the_question_from_that_of_the_method() {
+    let bench = Bench::new("diagnose-question");
+    bench.write("stiff.toml", "[camera]\nview_up = [3.0, 4.00014966, 5.0]\n");
+    for (lang, said) in [
+        ("en", ["VUP is 0.001° from the line of sight", "The question itself loses 4.5 digits; our method loses none"]),
+        (
+            "pt-BR",
+            ["VUP está a 0,001° da linha de visão", "A própria pergunta perde 4,5 dígitos; o nosso método, nenhum"],
+        ),
+    ] {
+        let run = bench.run(&["diagnose", "stiff.toml", "--lang", lang]);
+        let text = String::from_utf8_lossy(run.done());
+        assert!(said.iter().all(|said| text.contains(said)), "{text}");
+    }
+}

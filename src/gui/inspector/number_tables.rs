@@ -36,7 +36,8 @@ pub(in crate::gui) fn proof(t: &Texts, [one, other]: [&Table; 2]) -> String {
             // A changed sign exchanges the ends.
             let pair = (!a.is_nan() && !b.is_nan()).then(|| [a.min(*b), a.max(*b)]);
             let row = if name.is_empty() { (i + 1).to_string() } else { name.clone() };
-            lines.push(format!("{row}, {}: {}", j + 1, command_line::bounds(t.lang, pair)));
+            let proof = t.lang.mark().printed(&command_line::bounds(t.lang, pair));
+            lines.push(format!("{row}, {}: {proof}", j + 1));
         }
     }
     lines.join("\n")

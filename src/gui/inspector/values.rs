@@ -60,7 +60,7 @@ pub(in crate::gui) fn list(
         }
         if let Some([low, high]) = ends.as_ref().map(|ends| ends.each_ref().map(|tables| &tables[i])) {
             let proof = number_tables::proof(t, [low, high]);
-            ui.add(egui::Label::new(RichText::new(proof).monospace().small().weak()).extend());
+            ui.label(RichText::new(proof).small().weak());
         }
     }
     if let Some((matrix, entry)) = asked {

@@ -4,6 +4,7 @@ use crate::Grammar;
 use crate::numbers::significant;
 use crate::numerics::charts::Words;
 use crate::numerics::overhead::{Cost, Price};
+use crate::numerics::three_ways::ThreeWays;
 use crate::numerics::{Findings, Row, Study, Unit};
 
 texts!("why/numerics");
@@ -276,9 +277,10 @@ pub fn price(lang: Lang, price: &Price) -> String {
     text!(lang, price, a, b, c, d, more = more(price.frame))
 }
 
-/// A number of decimal digits, with one after the mark.
-pub fn digits(lang: Lang, digits: f64) -> String {
-    text!(lang, digits, digits = lang.mark().printed(&format!("{digits:.1}")))
+/// The digits of M_v, as three ways tell them.
+pub fn three_ways(lang: Lang, ThreeWays { reference, bound, random }: ThreeWays) -> String {
+    let [reference, bound, random] = [reference, bound, random].map(|x| lang.mark().printed(&format!("{x:.1}")));
+    text!(lang, three_ways, reference, bound, random)
 }
 
 /// An error with its size and little more.

@@ -10,7 +10,7 @@ use std::time::Duration;
 use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
 use crate::gui::inspector::numerics::state::Numerics;
-use crate::gui::kit::{Explained, choice, color_of, export_button, keep_in_sight};
+use crate::gui::kit::{Explained, choice, color_of, export_button, keep_in_sight, theme};
 use crate::numerics::three_ways::ThreeWays;
 use crate::numerics::{Findings, Row, Study};
 use camera_lab_desk::{Action, Intent, Model};
@@ -31,6 +31,10 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
     }
     if numerics.measuring().is_some() {
         ui.ctx().request_repaint_after(GLANCE);
+    }
+    if numerics.of_figure {
+        let (lang, ways) = (model.settings.lang, ThreeWays::new(model.desk.shown.camera().parameters()));
+        theme::sentence_label(ui, &words::three_ways(lang, ways)).explained(words::texts(lang).three_ways_hint);
     }
     let height = ui.available_height();
     let mut opened = None;
@@ -107,23 +111,6 @@ fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
                 (numerics.study, numerics.case, numerics.parameter) = (study, 0, None);
                 numerics.of_figure = false;
             }
-        }
-        ui.separator();
-        three_ways(ui, model);
-    });
-}
-
-/// The digits of the figure's M_v by the textbook's formulas, as three ways tell them.
-fn three_ways(ui: &mut Ui, model: &Model) {
-    let lang = model.settings.lang;
-    let t = words::texts(lang);
-    ui.label(RichText::new(t.three_ways).strong()).explained(t.three_ways_hint);
-    let ThreeWays { reference, bound, random } = ThreeWays::new(model.desk.shown.camera().parameters());
-    Grid::new("three ways").num_columns(2).show(ui, |ui| {
-        for (way, digits) in [(t.by_reference, reference), (t.by_bound, bound), (t.by_random, random)] {
-            ui.label(RichText::new(way).small());
-            ui.label(RichText::new(words::digits(lang, digits)).small());
-            ui.end_row();
         }
     });
 }

@@ -12,7 +12,7 @@ use glam::DVec3;
 use super::{figure_of, random_camera};
 use crate::camera::{Camera, Convention, Operation, Parameters};
 use crate::chain::real::Real;
-use crate::chain::{Vector, basis, pose};
+use crate::chain::{Chain, Vector};
 use crate::geometry::Angle;
 use crate::numbers::random::Random;
 use crate::numerics::measure::{Off, Trial, Watch, bits_off, mean_bits};
@@ -109,15 +109,9 @@ impl CameraCase {
         let camera = Camera::new(&parameters).ok()?;
         // 24 bits after the point, 10 before. A million of them are still exact.
         let angle = (random.between(0.01, 1.0) * GRID).round() / GRID;
-        let [u, v, n] = basis::<Reference>(&pose(&parameters));
-        let (sine, cosine) = Reference::sin_cos_degrees(angle * f64::from(steps));
-        let to_viewer = Vector::<Reference>::of(parameters.position).minus(&Vector::of(parameters.focal_point));
-        let distance = to_viewer.length();
-        // n turns towards u about v.
-        let turned = n.times(&cosine).plus(&u.times(&sine));
-        assert!(v.dot(&turned).to_f64().abs() < 1e-15);
-        let exact_position = Vector::of(parameters.focal_point).plus(&turned.times(&distance));
-        Some(Self { parameters, camera, angle, exact_distance: distance.to_f64(), exact_position })
+        let once = Operation::Azimuth(Angle::from_degrees(angle * f64::from(steps)));
+        let Chain { given, distance, .. } = Chain::<Reference>::new(&parameters).after(&once, Convention::RightHand);
+        Some(Self { parameters, camera, angle, exact_distance: distance.to_f64(), exact_position: given.position })
     }
 
     /// Drift of orthonormality, of D, and of C.

@@ -10,9 +10,9 @@ use glam::DVec3;
 
 use super::painter::{Painter, object};
 use crate::appearance::{Rgba, Samples, Shading, Style, VertexFormat};
-use crate::camera::{Camera, Parameters};
+use crate::camera::{Camera, ImageSize, Parameters};
 use crate::chain::real::Real;
-use crate::chain::{Given, Vector, basis, pose};
+use crate::chain::{Chain, Vector};
 use crate::figure::{Figure, write};
 use crate::numerics::measure::{Off, Trial, Watch, bits_off};
 use crate::numerics::reference::Reference;
@@ -160,18 +160,12 @@ impl Setup {
             ..Parameters::default()
         };
         let camera = Camera::new(&parameters).ok()?;
-        let axes = basis::<Reference>(&pose(&parameters));
-        let [left, right, bottom, top] = Given::<Reference>::of(&parameters).window;
-        let eye = Vector::<Reference>::of(parameters.position);
+        let chain = Chain::<Reference>::new(&parameters);
+        let image = ImageSize { width: SIZE[0], height: SIZE[1] };
         let mut exact = Vec::new();
         for j in 0..SIZE[1] {
             for i in 0..SIZE[0] {
-                // (5.22) backwards, from the middle of the pixel.
-                let share = |k: u32, of: f64| Reference::of(f64::from(k) + 0.5) / Reference::of(of);
-                let x = left.clone() + (right.clone() - left.clone()) * share(i, m);
-                let y = top.clone() + (bottom.clone() - top.clone()) * share(j, n);
-                let along = axes[2].times(&Reference::of(-parameters.near));
-                let ray = axes[0].times(&x).plus(&axes[1].times(&y)).plus(&along).unit();
+                let [eye, ray] = chain.ray(image, [i, j].map(i64::from));
                 exact.push(hit(solid, &eye, &ray).map(|p| color_at(solid, &p, &eye)));
             }
             pause().await;
