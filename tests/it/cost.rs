@@ -172,7 +172,7 @@ fn request_of(path: &Path, [width, height]: [u32; 2]) -> Request {
 fn the_sums_of_the_pixels_are_the_costs_of_the_stages() {
     let bench = Bench::new("cost-sums");
     let mut stages_seen = BTreeSet::new();
-    for path in figures() {
+    for path in figures().into_iter().chain([bench.write("coplanar.toml", COPLANAR)]) {
         let name = path.to_string_lossy().into_owned();
         let told = told(&bench, &[&name, "--size", "160x120"]);
         let request = request_of(&path, [160, 120]);

@@ -51,8 +51,8 @@ impl PixelCost {
     }
 }
 
-/// Counts the work on each pixel, row by row. The first `ground` surfaces are the ground. `None` if it was cancelled. It
-/// pauses on the way. Shadow maps are pictures of their own, and not in the counts.
+/// Counts the work on each pixel, row by row. The first `ground` surfaces are the ground. `None` if it was cancelled.
+/// It pauses on the way. Shadow maps are pictures of their own, and not in the counts.
 pub async fn cost(drawing: &Drawing, ground: usize, progress: &Progress) -> Option<Vec<PixelCost>> {
     let order = painting_order(drawing);
     let ground = drawing.surfaces.iter().take(ground).map(|surface| surface.triangles.len()).sum();
