@@ -7,7 +7,7 @@ program=$(realpath "$program")
 cd "$(dirname "$0")"
 
 "$program" accuracy --format csv >numerics.csv
-for study in vertex-transform basis repeated-operations depth-buffer visibility shading antialiasing grid clipping texture-filter shadows photograph; do
+for study in vertex-transform basis repeated-operations depth-buffer visibility shading antialiasing grid clipping texture-filter shadows; do
     for lang in en pt-BR; do
         "$program" accuracy --study $study --seconds 4 --lang $lang --plot images/numerics-$study.$lang.svg >/dev/null
     done

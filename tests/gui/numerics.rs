@@ -36,11 +36,18 @@ fn measured(window: &mut Window) {
     assert!(window.state().numerics.measuring().is_none());
 }
 
+/// Chooses a study in the list, which is longer than the panel is high.
+fn choose(window: &mut Window, study: &str) {
+    window.harness.get_by_label(study).scroll_to_me();
+    window.run();
+    window.click(study);
+}
+
 #[test]
 fn a_study_is_measured_and_its_worst_cameras_open_after_a_question() {
     let (folder, mut window) = (Folder::new("study"), window(Lang::En));
     window.app_mut().keep_session(&folder.0, false);
-    window.click("Clipping through w = 0");
+    choose(&mut window, "Clipping through w = 0");
     assert_eq!(window.state().numerics.study, Study::Clipping);
     measured(&mut window);
     assert!(window.harness.query_by_label_contains("f64 before the divide").is_some());
@@ -77,7 +84,7 @@ fn a_study_is_measured_and_its_worst_cameras_open_after_a_question() {
 fn the_panel_speaks_portuguese_and_goes_away_again() {
     let mut window = window(Lang::PtBr);
     assert!(window.harness.query_by_label_contains("por arredondamento ao acaso 15").is_some(), "this figure's M_v");
-    window.click("Recorte por w = 0");
+    choose(&mut window, "Recorte por w = 0");
     measured(&mut window);
     for text in ["erro contra parâmetro", "erro contra tempo", "f64 depois da divisão"] {
         assert!(window.harness.query_by_label_contains(text).is_some(), "{text}");
@@ -117,17 +124,6 @@ fn the_figure_is_examined_and_the_keys_of_a_way_are_used_in_one_step() {
     });
     let figure = window.state().model.desk.shown.figure().clone();
     let study = window.state().numerics.this_figure.study().cloned().expect("examined");
-    // The numbers as tables, with the choices of the figure.
-    let folder = Folder::new("numerics-tables");
-    window.app_mut().state.file_flow.native = false;
-    for (file, known) in [("ways.csv", "style.antialias"), ("ways.json", "\"left_out\"")] {
-        window.harness.get_by_label(en::WINDOW.export_chart).scroll_to_me();
-        window.run();
-        window.click(en::WINDOW.export_chart);
-        window.choose(&folder.file(file));
-        let text = std::fs::read_to_string(folder.file(file)).expect("a table");
-        assert!(text.contains(known) && text.contains("different"), "{file}: {text}");
-    }
     let mut others = study.ways.iter().enumerate().filter(|(k, _)| ![study.yours, study.cheapest].contains(k));
     let (_, way) = others.next().expect("several ways");
     let set = this_figure::changed(Lang::En, &figure.scene, &study, way);
@@ -143,4 +139,15 @@ fn the_figure_is_examined_and_the_keys_of_a_way_are_used_in_one_step() {
     window.run();
     assert_eq!(window.state().model.desk.shown.figure().style, figure.style);
     assert!(window.harness.query_by_label(en::THIS_FIGURE.old).is_none());
+    // The numbers as tables, with the choices of the figure.
+    let folder = Folder::new("numerics-tables");
+    window.app_mut().state.file_flow.native = false;
+    for (file, known) in [("ways.csv", "style.antialias"), ("ways.json", "\"left_out\"")] {
+        window.harness.get_by_label(en::WINDOW.export_chart).scroll_to_me();
+        window.run();
+        window.click(en::WINDOW.export_chart);
+        window.choose(&folder.file(file));
+        let text = std::fs::read_to_string(folder.file(file)).expect("a table");
+        assert!(text.contains(known) && text.contains("different"), "{file}: {text}");
+    }
 }

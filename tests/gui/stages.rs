@@ -81,10 +81,12 @@ fn the_cost_of_pixels_is_chosen_among_the_stages_and_told_at_the_pointer() {
         let (t, labels) = (texts(lang), camera_lab_words::pictures::labels(lang));
         let mut window = staged(lang);
         window.explain(Explanation::Stages);
-        window.click(t.costs);
+        window.harness.get_by_role_and_label(Role::ComboBox, t.costs).click();
+        window.run();
         window.click(labels.costs[1]);
         assert_eq!(window.state().model.desk.shown.figure().reveal.cost, Some(CostReveal::Overdraw));
-        window.click(t.order);
+        window.harness.get_by_role_and_label(Role::ComboBox, t.order).click();
+        window.run();
         window.click(labels.face_orders[1]);
         assert_eq!(window.state().model.desk.shown.figure().style.order, FaceOrder::FrontToBack);
         window.wait(|window| window.says(t.point_there));

@@ -103,7 +103,14 @@ impl Faces {
             }
             Self::Silhouette => {
                 let mut corner = || [random.between(0.0, side), random.between(0.0, side)];
-                vec![[corner(), corner(), corner()]]
+                // None so thin that it's a sliver.
+                loop {
+                    let [a, b, c] = [corner(), corner(), corner()];
+                    let twice_area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+                    if twice_area.abs() > 2.0 * size * size {
+                        break vec![[a, b, c]];
+                    }
+                }
             }
             Self::Sliver => {
                 let [a, b] = [0; 2].map(|_| [random.between(0.0, side), random.between(0.0, side)]);

@@ -120,8 +120,7 @@ impl Outcome {
     fn is_finite(&self) -> bool {
         match self {
             Self::View(p) => p.is_finite(),
-            // Without w there's no position.
-            Self::Clip(p) => p.iter().all(|x| x.is_finite()) && p[3] != 0.0,
+            Self::Clip(p) => p.iter().all(|x| x.is_finite()),
         }
     }
 }
