@@ -36,11 +36,11 @@ fn measured(window: &mut Window) {
     assert!(window.state().numerics.measuring().is_none());
 }
 
-/// Chooses a study in the list, which is longer than the panel is high.
-fn choose(window: &mut Window, study: &str) {
-    window.harness.get_by_label(study).scroll_to_me();
+/// Clicks an entry of a list that's longer than the panel is high.
+fn choose(window: &mut Window, entry: &str) {
+    window.harness.get_by_label(entry).scroll_to_me();
     window.run();
-    window.click(study);
+    window.click(entry);
 }
 
 #[test]
@@ -127,7 +127,7 @@ fn the_figure_is_examined_and_the_keys_of_a_way_are_used_in_one_step() {
     let mut others = study.ways.iter().enumerate().filter(|(k, _)| ![study.yours, study.cheapest].contains(k));
     let (_, way) = others.next().expect("several ways");
     let set = this_figure::changed(Lang::En, &figure.scene, &study, way);
-    window.click(&format!("{} {set}", this_figure::mark(way)));
+    choose(&mut window, &format!("{} {set}", this_figure::mark(way)));
     window.wait(|window| window.harness.query_by_label(en::THIS_FIGURE.divider).is_some());
     window.click(en::THIS_FIGURE.use_these);
     let mut expected = figure.clone();
