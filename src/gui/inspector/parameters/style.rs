@@ -34,7 +34,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut camera_lab_desk::Model) {
             (HiddenLines::Shown, t.hidden_shown),
         ];
         choice_row(ui, t.hidden_lines, t.hidden_lines_hint, &mut style.hidden_lines, &lines);
-        more(ui, t, &format!("{}, {}, {}", t.antialias, t.file_theme, t.vertex_format), |ui| {
+        more(ui, t, &format!("{}, {}", t.antialias, t.vertex_format), |ui| {
             let samples = [(Samples::One, "1"), (Samples::Four, "4"), (Samples::Sixteen, "16")];
             choice_row(ui, t.antialias, t.antialias_hint, &mut style.antialias, &samples);
             let themes = [(Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark), (Theme::Print, t.theme_print)];
