@@ -54,7 +54,9 @@ fn costs(ui: &mut Ui, t: &stages::Texts, model: &mut Model) {
     model.desk.shown.set(|figure| &mut figure.style.order, order);
     let Some(request) = &model.frame.explained else { return };
     let Some(costs) = model.costs.known(request) else {
-        ui.spinner();
+        // They're counted beside the window's thread.
+        ui.label("…");
+        ui.ctx().request_repaint_after(std::time::Duration::from_millis(100));
         return;
     };
     ui.label(pipeline::needless(lang, costs));
