@@ -67,7 +67,7 @@ fn median_within(n: usize, k: usize) -> f64 {
 
 /// For each row, whether it's on the front, and whether more rounds could change that. A row is on the front if no
 /// other one is at most as costly and has an interval of time wholly below its own. It's undecided if the gap that
-/// decides is less than [`OPEN`] of its time.
+/// decides is less than two hundredths of its time.
 pub fn decide<C>(rows: &[(C, Interval)], is_at_most: impl Fn(&C, &C) -> bool) -> Vec<(bool, bool)> {
     let verdict = |k: usize| {
         let (cost, time) = &rows[k];
