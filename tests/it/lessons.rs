@@ -246,6 +246,24 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
     }
 }
 
+/// Always to guess the same place gives a third of the points.
+#[test]
+fn right_answers_have_no_favourite_place_among_three() {
+    let mut places = [0_usize; 3];
+    for step in shipped().iter().flat_map(|shipped| &shipped.lesson.steps) {
+        let Some(Task::Question(entry)) = &step.task else { continue };
+        let exercise = entry.exercise(0, &Default::default());
+        let ask = &exercise.asks[0];
+        if let (Expected::Choice(right, ..), Kind::Choice(choices)) = (ask.expected(), &ask.kind)
+            && choices.len() == places.len()
+        {
+            places[*right] += 1;
+        }
+    }
+    let third = places.iter().sum::<usize>() / places.len();
+    assert!(places.iter().all(|place| place.abs_diff(third) <= 3), "{places:?}");
+}
+
 /// It stands in the file once, and the text of one step shows it again.
 #[test]
 fn the_sentence_to_keep_is_one_text_shown_twice() {
