@@ -35,7 +35,10 @@ impl Canvas {
         let Model { photograph, settings, desk, .. } = model;
         let place = ImagePlace::of(pane);
         let (image, given) = (desk.shown.figure().image, *desk.shown.camera().parameters());
-        photograph.find_axis(image, &given, place.in_image(Pos2::new(REACH, 0.0)).distance(place.in_image(Pos2::ZERO)));
+        // A place outside the pane would be moved to its border.
+        let middle = pane.rect.rect.center();
+        let reach = place.in_image(middle + vec2(REACH, 0.0)).distance(place.in_image(middle));
+        photograph.find_axis(image, &given, reach);
         draw(ui, photograph, pane, &place);
         let mut removed = None;
         for (grip, at) in photograph.grips() {
