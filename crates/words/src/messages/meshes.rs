@@ -3,7 +3,7 @@
 use super::unreadable::{read_problem, unreadable};
 use crate::Lang;
 
-use crate::limits::{MAX_OBJECTS, MAX_TEXELS, MAX_TEXTURE_SIDE};
+use crate::limits::{MAX_HALVED_TEXELS, MAX_OBJECTS, MAX_TEXELS, MAX_TEXTURE_SIDE};
 use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault, TextureError, TextureFault};
 
 /// The reason why a mesh file can't be used. In English, the error's own words.
@@ -49,7 +49,7 @@ fn texture_in_portuguese(TextureError { file, fault }: &TextureError) -> String 
         TextureFault::Format => "não é uma imagem conhecida; permitido: PNG, JPEG e WebP".to_owned(),
         TextureFault::Damaged => "está danificada ou incompleta".to_owned(),
         TextureFault::TooLarge { width, height } => format!(
-            "tem {width} × {height} pixels; permitido: no máximo {MAX_TEXTURE_SIDE} de cada lado e {MAX_TEXELS} ao todo"
+            "tem {width} × {height} pixels; permitido: no máximo {MAX_TEXTURE_SIDE} de cada lado e {MAX_TEXELS} ao todo, ou {MAX_HALVED_TEXELS} em um arquivo JPEG que não seja progressivo e em um PNG de 8 bits sem transparência, que são reduzidos à metade"
         ),
         TextureFault::Budget => {
             format!("ficou de fora, pois com ela as texturas desta figura teriam mais de {MAX_TEXELS} pixels")

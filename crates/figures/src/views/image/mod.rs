@@ -197,6 +197,7 @@ impl<'a> Image<'a> {
         self.rows.extend(cost::rows(request, palette));
         self.rows.extend(revealed_scene::drawn_rows(drawn, request, palette));
         offscreen_arrows::in_image(&mut drawn.drawing, request, palette);
+        vanishing::epipolar_line(&mut drawn.drawing, request, palette);
         if request.shot.look.reveal.vanishing {
             self.rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
         }
