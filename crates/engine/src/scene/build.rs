@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::import::PartTexture;
 use super::palette::{PALETTE, SceneColors};
-use super::texture::{Alpha, UvMesh, builtin, mapped, split};
+use super::texture::{Alpha, UvMesh, builtin, mapped};
 use super::tree::presets;
 use super::tree::resolve::{Placed, allowed_segments, lights, place};
 use super::{
@@ -135,7 +135,7 @@ impl MeshMaker<'_, '_> {
     }
 
     /// The parts of a mesh file: named after the object, and after themselves if there are several. A colour that
-    /// the figure gives wins over those of the file's materials.
+    /// the figure gives wins over those of the file.
     fn mesh_file(&mut self, scene: &mut Scene, placed: &Placed<'_>, path: &str, color: Rgba) -> Result<(), SceneError> {
         let name = &placed.spec.name;
         let failed = |error| SceneError::Mesh { name: name.clone(), path: path.to_owned(), error };
@@ -156,12 +156,15 @@ impl MeshMaker<'_, '_> {
                     (Arc::clone(&part.mesh), ObjectPaint::Solid(part_color))
                 }
                 Some((image, sampler)) => {
-                    let made = || split(&part.mesh, &part.uv);
+                    let made = || UvMesh::new(&part.mesh, &part.uv);
                     let textured = self.files.textured.entry((path.to_owned(), k)).or_insert_with(made);
                     // The factor of the file's material belongs to its own texture.
                     let is_own = placed.spec.texture.is_none();
                     let tint = placed.color.or(part.color.filter(|_| is_own)).unwrap_or(WHITE);
                     (Arc::clone(&textured.mesh), painted(image, sampler, &textured.uv, placed, tint))
+                }
+                None if placed.color.is_none() && !part.colors.is_empty() => {
+                    (Arc::clone(&part.mesh), ObjectPaint::Vertices(Arc::clone(&part.colors)))
                 }
                 None => (Arc::clone(&part.mesh), ObjectPaint::Solid(part_color)),
             };

@@ -29,7 +29,7 @@ use crate::appearance::{LightShare, LineStyle, MarkShape, Rgba, Role, Sampler, T
 use crate::geometry::Aabb;
 pub use build::{build, build_with};
 pub use error::{SceneError, chain_text};
-pub use import::{GlbFault, GltfFault, JsonFault, MeshError, MeshFiles, MeshNotice, ObjFault};
+pub use import::{GlbFault, GltfFault, JsonFault, MeshError, MeshFault, MeshFiles, MeshNotice};
 pub use mesh::{Adjacency, Mesh, SharedEdge, primitives};
 pub use named_point::ObjectPoint;
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
