@@ -134,7 +134,7 @@ pub enum MeshFault {
         /// Bytes.
         needed: u64,
         /// Bytes.
-        found: usize,
+        found: u64,
     },
     /// A corner names a missing point.
     #[error("\"{found}\" names a point that does not exist; there are {points} points")]

@@ -4,7 +4,7 @@
 use std::array::from_fn;
 use std::borrow::Cow;
 use std::cell::Cell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ use serde_json::error::Category;
 use serde_json::value::RawValue;
 
 use super::part::{Imported, LeftOut, Part, PartTexture, byte};
-use super::soup::{Soup, strip};
+use super::soup::Soup;
 use crate::appearance::{Filter, Rgba, Sampler, Texture, Wrap};
 use crate::limits::{MAX_OBJECTS, MAX_SCENE_BYTES, MAX_ZEROS};
 use crate::progress::{Activity, Progress, pause};
@@ -98,13 +98,11 @@ fn unused(root: &Root) -> LeftOut {
     left_out.add("skins", root.skins.len());
     left_out.add("cameras", root.cameras.len());
     left_out.add("scenes", root.scenes.len().saturating_sub(1));
-    for material in &root.materials {
-        left_out.add("normalTexture", material.normal_texture.iter().len());
-        left_out.add("occlusionTexture", material.occlusion_texture.iter().len());
-        left_out.add("emissiveTexture", material.emissive_texture.iter().len());
-        let shine = &material.pbr_metallic_roughness.metallic_roughness_texture;
-        left_out.add("metallicRoughnessTexture", shine.iter().len());
-    }
+    let base = |material: &::gltf::json::Material| {
+        Some(material.pbr_metallic_roughness.base_color_texture.as_ref()?.index.value())
+    };
+    let used: BTreeSet<usize> = root.materials.iter().filter_map(base).collect();
+    left_out.add("textures", root.textures.len().saturating_sub(used.len()));
     for extension in root.extensions_used.iter().filter(|name| !EXTENSIONS.contains(&name.as_str())) {
         left_out.add(extension, 1);
     }
@@ -430,14 +428,10 @@ impl Reader {
         };
         let uv = self.texture_coordinates(primitive, count)?;
         let colors = self.colors(primitive, count)?;
-        let is_used = |semantic: &Semantic| match semantic {
-            Semantic::Positions | Semantic::TexCoords(_) => true,
-            Semantic::Normals => !normals.is_empty(),
-            Semantic::Colors(set) => *set == 0 && !colors.is_empty(),
-            _ => false,
-        };
-        for (semantic, _) in primitive.attributes().filter(|(semantic, _)| !is_used(semantic)) {
-            left_out.add(&semantic.to_string(), 1);
+        for (semantic, _) in primitive.attributes() {
+            use Semantic::{Colors, Normals, Positions, TexCoords};
+            let is_used = matches!(semantic, Positions | Normals | TexCoords(_) | Colors(0));
+            left_out.add(&semantic.to_string(), usize::from(!is_used));
         }
         left_out.add("targets", primitive.morph_targets().count());
         let order = match primitive.indices() {
@@ -452,9 +446,8 @@ impl Reader {
             Mode::TriangleFan => order.windows(2).skip(1).flat_map(|w| [order[0], w[0], w[1]]).collect(),
             _ => order,
         };
-        let corner_uv = if uv.is_empty() { Vec::new() } else { corners.iter().map(|&i| uv[i as usize]).collect() };
-        let corner_colors =
-            if colors.is_empty() { Vec::new() } else { corners.iter().map(|&i| colors[i as usize]).collect() };
+        let corner_uv = corners.iter().filter_map(|&i| uv.get(i as usize).copied()).collect();
+        let corner_colors = corners.iter().filter_map(|&i| colors.get(i as usize).copied()).collect();
         let mut soup = Soup { positions, normals, corners, corner_uv, corner_colors, ..Soup::default() };
         soup.weld();
         Ok(Some(soup.into_part(&mut Triangulator::default())?))
@@ -595,4 +588,10 @@ impl Reader {
         };
         Ok(self.items::<1>(accessor)?.iter().map(read).collect())
     }
+}
+
+/// The triangles of a strip, all turned the same way.
+fn strip(order: &[u32]) -> Vec<u32> {
+    let turned = |(k, w): (usize, &[u32])| if k % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] };
+    order.windows(3).enumerate().flat_map(turned).collect()
 }

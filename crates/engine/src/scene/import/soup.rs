@@ -49,12 +49,6 @@ pub(crate) struct Soup {
     pub(crate) corner_colors: Vec<Rgba>,
 }
 
-/// The triangles of a strip, all turned the same way.
-pub(super) fn strip(order: &[u32]) -> Vec<u32> {
-    let turned = |(k, w): (usize, &[u32])| if k % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] };
-    order.windows(3).enumerate().flat_map(turned).collect()
-}
-
 /// The parts of a file that gives each its name, and nothing else, with the notice of what was left out.
 pub(super) async fn named_parts(
     soups: Vec<(String, Soup)>,
