@@ -156,12 +156,14 @@ impl MeshMaker<'_, '_> {
                     (Arc::clone(&part.mesh), ObjectPaint::Solid(part_color))
                 }
                 Some((image, sampler)) => {
-                    let made = || UvMesh::new(&part.mesh, &part.uv);
+                    let made = || UvMesh::new(&part.mesh, &part.uv, &part.colors);
                     let textured = self.files.textured.entry((path.to_owned(), k)).or_insert_with(made);
                     // The factor of the file's material belongs to its own texture.
                     let is_own = placed.spec.texture.is_none();
                     let tint = placed.color.or(part.color.filter(|_| is_own)).unwrap_or(WHITE);
-                    (Arc::clone(&textured.mesh), painted(image, sampler, &textured.uv, placed, tint))
+                    let has_colors = placed.color.is_none() && is_own;
+                    let tints = if has_colors { Arc::clone(&textured.colors) } else { Arc::default() };
+                    (Arc::clone(&textured.mesh), painted(image, sampler, &textured.uv, placed, (tint, tints)))
                 }
                 None if placed.color.is_none() && !part.colors.is_empty() => {
                     (Arc::clone(&part.mesh), ObjectPaint::Vertices(Arc::clone(&part.colors)))
@@ -257,7 +259,7 @@ impl MeshMaker<'_, '_> {
                 let made = || before.unwrap_or_else(|| mapped(shape, &mesh));
                 let mapped = self.files.mapped.entry(key).or_insert_with(made);
                 let tint = placed.color.unwrap_or(WHITE);
-                (Arc::clone(&mapped.mesh), painted(image, sampler, &mapped.uv, placed, tint))
+                (Arc::clone(&mapped.mesh), painted(image, sampler, &mapped.uv, placed, (tint, Arc::default())))
             }
         };
         scene.objects.push(Object {
@@ -278,7 +280,7 @@ fn painted(
     sampler: Sampler,
     uv: &Arc<Vec<[f32; 2]>>,
     placed: &Placed<'_>,
-    tint: Rgba,
+    (tint, tints): (Rgba, Arc<Vec<Rgba>>),
 ) -> ObjectPaint {
     let scale = placed.spec.texture_scale;
     let uv = if scale == DVec2::ONE {
@@ -288,8 +290,8 @@ fn painted(
         // v is counted from below, where the first repetition begins.
         Arc::new(uv.iter().map(|[u, v]| [u * wide, 1.0 - (1.0 - v) * high]).collect())
     };
-    let translucent = !tint.is_opaque() || !image.is_opaque();
-    ObjectPaint::Texture(Pictured { image, sampler, uv, tint, translucent })
+    let translucent = tints.iter().chain([&tint]).any(|tint| !tint.is_opaque()) || !image.is_opaque();
+    ObjectPaint::Texture(Pictured { image, sampler, uv, tint, tints, translucent })
 }
 
 fn ellipsoid(segments: u32) -> Mesh {

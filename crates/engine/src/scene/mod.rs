@@ -208,6 +208,8 @@ pub struct Pictured {
     pub uv: Arc<Vec<[f32; 2]>>,
     /// Multiplies the colours of the picture. White leaves them as they are. Its alpha is the opacity.
     pub tint: Rgba,
+    /// What multiplies them in its place at each vertex. Empty means nothing does.
+    pub tints: Arc<Vec<Rgba>>,
     /// Something shows through it.
     pub translucent: bool,
 }
@@ -215,7 +217,7 @@ pub struct Pictured {
 impl Pictured {
     /// The one opaque colour that it has everywhere. `None` if it has several, or something shows through.
     pub fn one_color(&self) -> Option<Rgba> {
-        let is_plain = !self.translucent && self.sampler.reveal.is_none();
+        let is_plain = !self.translucent && self.sampler.reveal.is_none() && self.tints.is_empty();
         is_plain.then(|| self.image.one_color_times(self.tint)).flatten()
     }
 
@@ -226,6 +228,7 @@ impl Pictured {
             sampler: Sampler::PICTURE,
             uv: Arc::new(uv),
             tint: Rgba::rgba(255, 255, 255, opacity),
+            tints: Arc::default(),
             translucent: opacity < 255,
         }
     }

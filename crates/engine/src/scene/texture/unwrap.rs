@@ -21,15 +21,19 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::{CornerUv, UvMesh};
+use crate::appearance::Rgba;
 use crate::scene::mesh::adjacency::Adjacency;
 use crate::scene::mesh::index_u32;
 use crate::scene::mesh::primitives::{ELLIPSOID_HALF_AXES, TORUS_RADIUS};
 use crate::scene::{Mesh, Shape};
 
+/// The colour of vertices without one.
+const NO_COLOR: Rgba = Rgba::rgb(255, 255, 255);
+
 /// A primitive with its texture coordinates.
 pub(in crate::scene) fn mapped(shape: &Shape, mesh: &Mesh) -> UvMesh {
     let uv: Vec<CornerUv> = mesh.triangles.iter().map(|triangle| corners(shape, mesh, *triangle)).collect();
-    UvMesh::new(mesh, &uv)
+    UvMesh::new(mesh, &uv, &[])
 }
 
 /// The coordinates at the corners of a triangle of a primitive.
@@ -94,10 +98,17 @@ fn near(turns: f64, other: f64) -> f64 {
 
 impl UvMesh {
     /// A mesh in which each vertex is there once for each of its texture coordinates. `uv` has those of the corners of
-    /// each triangle. Missing ones are (0, 0).
-    pub(in crate::scene) fn new(old: &Mesh, uv: &[CornerUv]) -> Self {
-        let (mesh, uv) = split(old, uv, [0.0; 2], |uv| uv.map(f32::to_bits));
-        Self { mesh: Arc::new(mesh), uv: Arc::new(uv) }
+    /// each triangle, and `colors` that of each vertex, or none. Missing coordinates are (0, 0).
+    pub(in crate::scene) fn new(old: &Mesh, uv: &[CornerUv], colors: &[Rgba]) -> Self {
+        let with_color = |(uv, triangle): (&CornerUv, &[u32; 3])| {
+            let color = |i: u32| colors.get(i as usize).copied().unwrap_or(NO_COLOR);
+            std::array::from_fn(|k| (uv[k], color(triangle[k])))
+        };
+        let corners: Vec<[([f32; 2], Rgba); 3]> = uv.iter().zip(&old.triangles).map(with_color).collect();
+        let (mesh, values) = split(old, &corners, ([0.0; 2], NO_COLOR), |(uv, color)| (uv.map(f32::to_bits), color));
+        let (uv, own): (Vec<_>, Vec<_>) = values.into_iter().unzip();
+        let colors = if colors.is_empty() { Vec::new() } else { own };
+        Self { mesh: Arc::new(mesh), uv: Arc::new(uv), colors: Arc::new(colors) }
     }
 }
 
@@ -170,7 +181,7 @@ mod tests {
     #[test]
     fn pictures_are_neither_torn_nor_mirrored() {
         for (shape, mesh) in meshes() {
-            let UvMesh { mesh: textured, uv } = mapped(&shape, &mesh);
+            let UvMesh { mesh: textured, uv, .. } = mapped(&shape, &mesh);
             assert_eq!((textured.positions.len(), textured.normals.len()), (uv.len(), uv.len()), "{shape:?}");
             assert_eq!(textured.triangles.len(), mesh.triangles.len());
             for (triangle, old) in textured.triangles.iter().zip(&mesh.triangles) {
