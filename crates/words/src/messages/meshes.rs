@@ -30,10 +30,8 @@ pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
         MeshNotice::IndexIgnored { line, found } =>
             "linha {line}: \"{found}\" indica uma normal ou coordenada de textura que não existe, e índices assim são ignorados";
         MeshNotice::LeftOut { entries } => "fica de fora, pois este programa não usa isso: {entries}";
-        MeshNotice::NoMaterial { material, count: 1 } =>
-            "o material \"{material}\" não está em nenhuma biblioteca do arquivo, e suas faces têm a cor do objeto";
         MeshNotice::NoMaterial { material, count } =>
-            "o material \"{material}\" e outros {} não estão em nenhuma biblioteca do arquivo, e suas faces têm a cor do objeto" (count - 1);
+            "nenhuma biblioteca do arquivo tem {count} dos materiais usados, como \"{material}\", e suas faces têm a cor do objeto";
         MeshNotice::FacesSkipped { line, found, count: 1 } =>
             "linha {line}: uma face com {found} vértices; ela fica de fora";
         MeshNotice::FacesSkipped { line, found, count } =>

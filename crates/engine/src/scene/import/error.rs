@@ -168,7 +168,9 @@ pub enum MeshNotice {
         entries: String,
     },
     /// Materials that are in no library of the file.
-    #[error("the material \"{material}\"{} not in a library of the file; such faces have the object's colour", if *count == 1 { " is".to_owned() } else { format!(" and {} others are", count - 1) })]
+    #[error(
+        "no library of the file has {count} of its materials, such as \"{material}\"; their faces have the object's colour"
+    )]
     NoMaterial {
         /// The first one's name.
         material: String,
