@@ -484,7 +484,7 @@ fn bytes_of(drawing: &Drawing) -> usize {
             + match &surface.base {
                 Base::Solid(_) => 0,
                 Base::Faces(colors) | Base::Vertices(colors) => size_of_val(&colors[..]),
-                Base::Texture { uv, .. } => size_of_val(&uv[..]),
+                Base::Texture { uv, tints, .. } => size_of_val(&uv[..]) + size_of_val(&tints[..]),
             }
             + match &surface.light {
                 SurfaceLight::InBase => 0,
