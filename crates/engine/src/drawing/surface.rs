@@ -51,7 +51,7 @@ pub enum Base {
         uv: Vec<[f32; 2]>,
         /// Multiplies the colours of the picture. White leaves them as they are. Its alpha is the opacity.
         tint: Rgba,
-        /// What multiplies them in its place at each vertex, interpolated. Empty means nothing does.
+        /// The tint at each vertex in its place, interpolated. Empty means the same everywhere.
         tints: Vec<Rgba>,
     },
 }

@@ -208,7 +208,7 @@ pub struct Pictured {
     pub uv: Arc<Vec<[f32; 2]>>,
     /// Multiplies the colours of the picture. White leaves them as they are. Its alpha is the opacity.
     pub tint: Rgba,
-    /// What multiplies them in its place at each vertex. Empty means nothing does.
+    /// The tint at each vertex in its place. Empty means the same everywhere.
     pub tints: Arc<Vec<Rgba>>,
     /// Something shows through it.
     pub translucent: bool,

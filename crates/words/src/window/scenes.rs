@@ -35,9 +35,9 @@ impl Texts {
 }
 
 texts_with_values! {
-    /// What a mesh file may be, for the field of its path.
+    /// The hint at the field for the path of a mesh file.
     path_hint(lang): (endings = mesh_endings());
-    /// The same in a dialog for files.
+    /// The name of mesh files in a dialog for files.
     mesh_filter(lang): (endings = mesh_endings());
 }
 

@@ -91,7 +91,7 @@ pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
     Ok(Imported { parts, notices })
 }
 
-/// What isn't drawn, besides parts of meshes.
+/// The lists of a file that aren't drawn.
 fn unused(root: &Root) -> LeftOut {
     let mut left_out = LeftOut::default();
     left_out.add("animations", root.animations.len());
