@@ -444,7 +444,8 @@ fn doubts(solved: Solved, frame: &PixelFrame, senses: &[f64], axes: DMat3) -> Ve
     let turned = solved.located.iter().zip(senses).filter(is_turned).map(|(of, _)| Doubt::Turned(of.axis));
     let one_line = solved.one_line.iter().copied().map(Doubt::OneLine);
     let mut doubts: Vec<Doubt> = one_line.chain(angles.into_iter().map(angle)).chain(turned).collect();
-    doubts.extend((axes.col(1).y < 0.0).then_some(Doubt::UpsideDown));
+    let y = axes.col(1);
+    doubts.extend((y.y < -y.x.abs()).then_some(Doubt::UpsideDown));
     doubts.extend(solved.off_middle(frame));
     doubts
 }
