@@ -388,7 +388,7 @@ fn middle_of(located: &[Located], frame: &PixelFrame) -> Option<(DVec2, f64)> {
     Some((found, squares.element_sum().sqrt())).filter(|(_, error)| error.is_finite())
 }
 
-/// The squares of the changes that one pixel in each coordinate of each end makes in a function of the vanishing points.
+/// The squares of the changes that one pixel in each coordinate of each end makes in a function of vanishing points.
 fn squares(located: &[Located], frame: &PixelFrame, of: impl Fn(&[DVec3]) -> DVec3) -> DVec3 {
     let points: Vec<DVec3> = located.iter().map(|located| located.point).collect();
     let of_one = |(at, located): (usize, &Located)| {
@@ -413,8 +413,8 @@ fn turned(solved: &Solved, points: &[DVec3], senses: &[f64], focal_length: f64) 
     rotation(&weighted.collect::<Vec<_>>())
 }
 
-/// R, C, and the senses of the axes: those in which most lines were drawn, if they are right-handed and the length is in
-/// front of the camera. If not, the senses that turn the fewest lines and let the camera stand upright.
+/// R, C, and the senses of the axes: those in which most lines were drawn, if they are right-handed and the length is
+/// in front of the camera. If not, the senses that turn the fewest lines and let the camera stand upright.
 fn oriented(
     marks: &PhotographMarks,
     frame: &PixelFrame,
@@ -484,7 +484,8 @@ fn doubts(solved: Solved, frame: &PixelFrame, senses: &[f64], axes: DMat3) -> Ve
     let turned = solved.located.iter().zip(senses).filter(is_turned).map(|(of, _)| Doubt::Turned(of.axis));
     let one_line = solved.one_line.iter().copied().map(Doubt::OneLine);
     let mut doubts: Vec<Doubt> = one_line.chain(angles.into_iter().map(angle)).chain(turned).collect();
-    doubts.extend((axes.col(1).y < 0.0).then_some(Doubt::UpsideDown));
+    let y = axes.col(1);
+    doubts.extend((y.y < -y.x.abs()).then_some(Doubt::UpsideDown));
     doubts.extend(solved.off_middle(frame));
     doubts
 }
