@@ -104,19 +104,17 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
         axes: args.axes,
         by_columns: args.columns,
         ndc: args.ndc.map(Into::into),
-        image: size.or(chosen.image).unwrap_or(figure.image),
+        image: size.unwrap_or(figure.image),
     };
-    let mut lost = Vec::new();
-    if all && cameras.len() > 1 {
-        let open = Stated { image: size.unwrap_or(figure.image), ..stated };
-        lost = figure.take_cameras(&cameras, &open);
-    }
-    let at = |camera: &Pasted| !lost.iter().any(|(name, _)| *name == camera.name) && camera.name == chosen.name;
-    let chosen = if all { cameras.iter().find(|camera| at(camera)).unwrap_or(chosen) } else { chosen };
+    let is_list = all && cameras.len() > 1;
+    let lost = if is_list { figure.take_cameras(&cameras, &stated, size) } else { Vec::new() };
+    let taken = cameras.iter().zip(&names).find(|(_, name)| !lost.iter().any(|(lost, _)| lost == *name));
+    let chosen = taken.filter(|_| is_list).map_or(chosen, |(camera, _)| camera);
+    let stated = Stated { image: size.or(chosen.image).unwrap_or(opened.figure.image), ..stated };
     let found = recognise(chosen, &stated, camera.parameters())
         .map_err(|error| refused(dialects::recovery_error(lang, &error)))?;
     let best = found.best();
-    if !all || cameras.len() < 2 {
+    if !is_list {
         (figure.camera, figure.lens) = (best.found.parameters, None);
         if best.reading.kind.has_pixels() || chosen.image.is_some() {
             figure.image = best.reading.image;
@@ -127,7 +125,7 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
         TableFormat::Json => json_of(&Answer::new(&found, chosen, &cameras, all, written))?,
         TableFormat::Text => {
             let mut head = comments(&found, chosen, if all { &[] } else { &names }, written);
-            if all && cameras.len() > 1 {
+            if is_list {
                 let line = dialects::taken(written, cameras.len() - lost.len(), cameras.len());
                 // Writing to a String can't fail.
                 let _ = writeln!(head, "# {line}");

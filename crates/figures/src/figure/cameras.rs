@@ -2,7 +2,7 @@
 
 use super::Figure;
 use crate::appearance::Rgba;
-use crate::camera::{LensForm, Parameters, Pasted, RecoveryError, Stated, camera_names, recognise};
+use crate::camera::{ImageSize, LensForm, Parameters, Pasted, RecoveryError, Stated, camera_names, recognise};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
 use crate::sanitize::is_obeyed;
 
@@ -69,13 +69,18 @@ impl Figure {
 
     /// Takes the cameras of a file: the first that can be read becomes the current one, and the others the list, as many
     /// as it holds. None of the old ones stays. Returns the cameras that weren't taken, with the reason; `None` means
-    /// that the list is full.
-    pub fn take_cameras(&mut self, cameras: &[Pasted], stated: &Stated) -> Vec<(String, Option<RecoveryError>)> {
+    /// that the list is full. `size`: that of every image, if you state it.
+    pub fn take_cameras(
+        &mut self,
+        cameras: &[Pasted],
+        stated: &Stated,
+        size: Option<ImageSize>,
+    ) -> Vec<(String, Option<RecoveryError>)> {
         let names = camera_names(cameras);
         let mut left = Vec::new();
         let mut taken = Vec::new();
         for (camera, name) in cameras.iter().zip(names) {
-            let stated = Stated { image: camera.image.unwrap_or(stated.image), ..*stated };
+            let stated = Stated { image: size.or(camera.image).unwrap_or(stated.image), ..*stated };
             match recognise(camera, &stated, &self.camera) {
                 Ok(_) if taken.len() > MAX_CAMERAS => left.push((name, None)),
                 Ok(found) => taken.push((name, found.best().found.parameters, stated.image)),

@@ -269,6 +269,8 @@ pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
         MatrixTextError::Part(part) => "“{}” não é um número" (escaped(part));
         MatrixTextError::Latex =>
             "LaTeX com várias matrizes não pode ser lido; cole apenas os números de M_v, ou os de M_p";
+        MatrixTextError::NotCamera(name) =>
+            "{} não é a matriz de uma câmera, pelo nome; cole K, R e t, ou uma matriz de vista ou de projeção" (escaped(name));
         MatrixTextError::Incomplete(names) =>
             "{} não pode ser lido como uma câmera: uma pose precisa de uma posição e de suas direções, de R e t, ou de um quatérnio e t; o guia “Câmeras de outros programas” lista os nomes que são lidos" (escaped(names));
         MatrixTextError::Range { name, value, allowed } => "{} é {value}; permitido: {allowed}" (escaped(name));

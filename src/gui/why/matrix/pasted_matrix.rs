@@ -77,9 +77,9 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mu
 
 /// Makes the first camera that of the figure, and the others its list.
 fn take_all(model: &mut Model, explain: &Explain, cameras: &[Pasted], stated: &Stated) {
-    let stated = Stated { image: explain.pasted.image.unwrap_or(model.desk.shown.figure().image), ..*stated };
+    let stated = Stated { image: model.desk.shown.figure().image, ..*stated };
     let mut taken = model.desk.shown.figure().clone();
-    taken.take_cameras(cameras, &stated);
+    taken.take_cameras(cameras, &stated, explain.pasted.image);
     if taken.image != model.desk.shown.figure().image {
         model.desk.shown.edit(|figure| figure.image = taken.image);
     }

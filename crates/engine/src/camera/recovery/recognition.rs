@@ -403,7 +403,7 @@ fn with_lens(
     let own = current.window.map_or(current.aspect, |w| (w.right - w.left) / (w.top - w.bottom));
     let aspect = lens.aspect.unwrap_or(if has_image { reading.image.aspect() } else { own });
     let by = if lens.is_parallel { 1.0 } else { near };
-    if lens.size != Size::Open {
+    if lens.size != Size::Open || lens.is_parallel {
         p.projection = if lens.is_parallel { Projection::Parallel } else { Projection::Perspective };
     }
     let of_height = |height: f64| [aspect * height / zoom, height / zoom];

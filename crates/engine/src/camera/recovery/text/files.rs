@@ -257,7 +257,8 @@ pub(crate) fn gltf(file: &Node) -> Option<Node> {
         }
         waiting.extend(children(node).into_iter().rev().map(|child| (child, (world, turn, parts.clone()))));
     }
-    let others = file.children().iter().filter(|child| !matches!(child.name.as_str(), "nodes" | "cameras")).cloned();
+    let others = file.children().iter().filter(|child| !matches!(child.name.as_str(), "nodes" | "cameras"));
+    let others = others.map(|child| Node::new(&child.name, Value::Word(format!("{} numbers", child.values().len()))));
     let cameras = list(found)?;
     Some(Node::new("", Value::Inner(others.chain([cameras]).collect())))
 }

@@ -5,13 +5,17 @@
 //! and each entry is used, or named as left out ([`camera`]). Numbers without such names are a matrix, a quaternion, K or
 //! three vectors by their count.
 
+mod account;
 mod camera;
 mod files;
+mod lens;
 mod names;
 pub(crate) mod numbers;
+mod tokens;
 mod tree;
 mod walk;
 mod words;
+mod xml;
 
 use glam::DMat4;
 
@@ -181,6 +185,9 @@ pub enum MatrixTextError {
         "{} can't be read as a camera: a pose needs a position and its directions, R and t, or a quaternion and t; the guide “Cameras of other programs” lists the names that it reads", crate::sanitize::escaped(.0)
     )]
     Incomplete(String),
+    /// A matrix of another kind.
+    #[error("{} is no matrix of a camera by its name; paste K, R and t, or a view or projection matrix", crate::sanitize::escaped(.0))]
+    NotCamera(String),
     /// A number that no lens has.
     #[error("{} is {value}; allowed: {allowed}", crate::sanitize::escaped(.name))]
     Range {
@@ -265,15 +272,18 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
     let sign = camera::sign_of(text);
     let by_lines = [files::colmap, files::trajectory, files::middlebury, files::table];
     if let Some(tree) = by_lines.into_iter().find_map(|read| read(text)) {
-        return Ok(walk::cameras(&tree, sign));
+        return walk::cameras(&tree, sign);
+    }
+    if text.matches("\\begin{").count() > 1 {
+        return Err(MatrixTextError::Latex);
     }
     let plain = numbers::without_comments(text);
     let tree = tree::read(&plain)?;
     let by_parts = [files::gltf, files::open_mvg, files::metashape, files::three_js];
     if let Some(tree) = by_parts.into_iter().find_map(|read| read(&tree)) {
-        return Ok(walk::cameras(&tree, sign));
+        return walk::cameras(&tree, sign);
     }
-    let found = walk::cameras(&tree, sign);
+    let found = walk::cameras(&tree, sign)?;
     if !found.is_empty() {
         return Ok(found);
     }
@@ -351,7 +361,7 @@ fn of_numbers(tree: &Node, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
     if !cameras.is_empty() {
         return Ok(cameras);
     }
-    Err(if text.contains("\\begin{") { MatrixTextError::Latex } else { MatrixTextError::Count(total) })
+    Err(MatrixTextError::Count(total))
 }
 
 /// All numbers as one matrix, if their count is that of one and the names don't say that they are several things.

@@ -5,115 +5,39 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 /// The meaning of a number, or of several.
+#[rustfmt::skip]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Field {
-    Eye,
-    /// The target beside an eye; else C.
-    Center,
-    Target,
-    Up,
-    Forward,
-    Backward,
-    /// `Open3D` means from the target to the camera, others mean ahead.
-    Front,
-    T,
+    /// Of a pose. Center is the target beside an eye, else C. Front leads from the target to the camera in `Open3D`, and
+    /// ahead elsewhere.
+    Eye, Center, Target, Up, Forward, Backward, Front, T,
     /// −C and 1, of `MeshLab`.
     MinusEye,
-    Rvec,
-    /// Angles about x, y and z, in this order, in radians.
-    Euler,
-    Rotation3,
-    Quaternion,
-    Wxyz,
-    Xyzw,
-    AxisAngle,
-    R,
-    R4,
-    /// Sixteen numbers, or twelve. A word says which.
-    Matrix,
-    Pinhole,
-    Chain,
-    K,
-    Fx,
-    Fy,
-    Cx,
-    Cy,
-    /// In pixels, or in millimetres beside a sensor.
-    Focal,
-    FocalMm,
-    SensorWidth,
-    SensorHeight,
-    SensorX,
-    SensorY,
-    PixelWidth,
-    PixelHeight,
-    /// An angle whose side the program decides.
-    Fov,
-    AngleX,
-    AngleY,
-    Aspect,
-    Near,
-    Far,
+    /// Euler angles are in radians, about x, y and z in this order. Three numbers named rotation are open.
+    Rvec, Euler, Rotation3, Quaternion, Wxyz, Xyzw, AxisAngle, R, R4,
+    /// Sixteen numbers, or twelve. A word says which. A chain leads from the camera before.
+    Matrix, Pinhole, Chain,
+    /// Of a lens. A focal length is in pixels, or in millimetres beside a sensor.
+    K, Fx, Fy, Cx, Cy, Focal, FocalMm, SensorWidth, SensorHeight, SensorX, SensorY, PixelWidth, PixelHeight,
+    /// The program decides which side Fov spans.
+    Fov, AngleX, AngleY, FovAxis, Aspect, Near, Far,
     /// From the target, as in `VisIt`.
-    NearOfTarget,
-    FarOfTarget,
-    Left,
-    Right,
-    Bottom,
-    Top,
-    Height,
-    Width,
-    HalfHeight,
-    HalfWidth,
-    WindowHeight,
-    OffsetX,
-    OffsetY,
-    /// Of the middle: in shares of the height, in half windows.
-    ShiftX,
-    ShiftY,
-    CenterX,
-    CenterY,
-    Zoom,
-    Pan,
-    FilmOffset,
-    FilmGauge,
-    PixelAspectX,
-    PixelAspectY,
-    ImageWidth,
-    ImageHeight,
-    FullWidth,
-    FullHeight,
-    CropX,
-    CropY,
-    CropWidth,
-    CropHeight,
-    Crop,
-    Binning,
-    BoundsMin,
-    BoundsMax,
-    Parallel,
-    Perspective,
-    Baseline,
-    /// Any count.
-    Distortion,
-    Coefficient,
-    /// A word: the model of the lens, or the kind of projection.
-    Model,
-    FovAxis,
-    /// A word: the name of the camera.
-    Name,
-    /// A part of the pose that is in a product.
-    Part,
-    /// Of the nodes above a camera.
-    Scale,
-    /// One number that says nothing.
-    Ignored,
-    /// Says nothing of the image.
-    Skip,
-    /// Another sensor, or another map, of any count.
-    NotCamera,
-    Map9,
-    Map16,
+    NearOfTarget, FarOfTarget,
+    Left, Right, Bottom, Top, Height, Width, HalfHeight, HalfWidth, WindowHeight, OffsetX, OffsetY,
+    /// Of the middle: a shift in shares of the height, a center in half windows.
+    ShiftX, ShiftY, CenterX, CenterY, Zoom, Pan, FilmOffset, FilmGauge, PixelAspectX, PixelAspectY,
+    ImageWidth, ImageHeight, FullWidth, FullHeight, CropX, CropY, CropWidth, CropHeight, Crop, Binning,
+    BoundsMin, BoundsMax, Parallel, Perspective, Baseline,
+    /// Distortion has any count.
+    Distortion, Coefficient,
+    /// Words: the model of the lens or the kind of projection, and the name of the camera.
+    Model, Name,
+    /// A part of the pose that is in a product, and the scale above a camera.
+    Part, Scale,
+    /// They say nothing of the image: one number, or anything.
+    Ignored, Skip,
+    /// Other sensors and maps, of any count or of a fixed one.
+    NotCamera, Map9, Map12, Map16,
     /// No name of the table.
     Unknown,
 }
@@ -128,7 +52,7 @@ impl Field {
             F::T | F::Rvec | F::Euler | F::Rotation3 | F::BoundsMin | F::BoundsMax | F::Scale => 3,
             F::Quaternion | F::Wxyz | F::Xyzw | F::AxisAngle | F::MinusEye => 4,
             F::R | F::K => 9,
-            F::Pinhole => 12,
+            F::Pinhole | F::Map12 => 12,
             F::Chain | F::R4 => 16,
             F::Pan => 2,
             F::Map9 => 9,
@@ -141,7 +65,7 @@ impl Field {
 
     /// True if it's left out with all that is inside.
     pub(crate) const fn is_left_out(self) -> bool {
-        matches!(self, F::Skip | F::NotCamera | F::Map9 | F::Map16)
+        matches!(self, F::NotCamera | F::Map9 | F::Map12 | F::Map16)
     }
 
     /// A part of a pose.
@@ -278,9 +202,9 @@ const ROWS: &[(&str, &[Field])] = &[
     ("filmgauge", &[F::FilmGauge]),
     ("pixelaspectx", &[F::PixelAspectX]),
     ("pixelaspecty", &[F::PixelAspectY]),
-    ("imagewidth width w resolutionx resx imgwidth", &[F::ImageWidth]),
-    ("imageheight height h resolutiony resy imgheight", &[F::ImageHeight]),
-    ("resolution size imagesize srect s viewportpx imsize imgsize", &[F::ImageWidth, F::ImageHeight]),
+    ("imagewidth width w resolutionx resx imgwidth xresolution", &[F::ImageWidth]),
+    ("imageheight height h resolutiony resy imgheight yresolution", &[F::ImageHeight]),
+    ("resolution size imagesize srect s viewportpx imsize imgsize imageresolution", &[F::ImageWidth, F::ImageHeight]),
     ("perspectivecameras.imagesize orthographiccameras.imagesize", &[F::ImageHeight, F::ImageWidth]),
     ("view.fullwidth", &[F::FullWidth]),
     ("view.fullheight", &[F::FullHeight]),
@@ -297,10 +221,11 @@ const ROWS: &[(&str, &[Field])] = &[
     ("perspective", &[F::Perspective]),
     ("polymorphicname cameramodel distortionmodel model type class projection mode setprojectionmode sensorfit fisheye isfisheye projectiontype", &[F::Model]),
     ("fovaxis", &[F::FovAxis]),
-    ("name imgname filepath filename label imagename", &[F::Name]),
+    ("name imgname filepath filename label imagename def DEF", &[F::Name]),
     ("distok1 distok3 distot2 distortioncoefficients distortion distortions distcoeffs distcoef distcoeff distortioncoeffs lensdistortion dist d D coeffs conrady brown radialdistortion tangentialdistortion kc", &[F::Distortion]),
     ("k1 k2 k3 k4 k5 k6 p1 p2 p3 p4 b1 b2 omega sx1 sy1", &[F::Coefficient]),
     ("q Q", &[F::Map16]),
+    ("tr Tr", &[F::Map12]),
     ("rrect rectificationmatrix h H homography e E essential f F fundamental", &[F::Map9]),
     ("r0rect extrinsicparameters squaresize imagepoints trvelotocam trimutovelo trvelocam", &[F::NotCamera]),
     ("part", &[F::Part]),
@@ -343,15 +268,16 @@ pub(crate) fn meaning(path: &str, count: usize, is_inner: bool) -> Option<&'stat
     let rows = TABLE.get(last)?.iter().filter(|(name, fields)| {
         let is_end = path.strip_suffix(name).is_some_and(|before| before.is_empty() || before.ends_with('.'));
         let fits = match fields {
+            [F::Model | F::Name | F::FovAxis] => count == 0,
             [field] => field.count().map_or(!is_inner || field.is_left_out(), |fixed| fixed == count),
             _ => !is_inner && fields.iter().map(|field| field.count().unwrap_or(0)).sum::<usize>() == count,
         };
         is_end && fits
     });
-    rows.max_by_key(|(name, fields)| (name.len(), fields[0].count())).map(|(_, fields)| *fields)
+    rows.max_by_key(|(name, fields)| (name.len(), fields.len(), fields[0].count())).map(|(_, fields)| *fields)
 }
 
 /// True if the table has a meaning for a name.
 pub(crate) fn is_known(name: &str) -> bool {
-    TABLE.get(name).is_some_and(|rows| rows.iter().any(|(_, fields)| *fields != [F::Skip]))
+    TABLE.get(name).is_some_and(|rows| rows.iter().any(|(own, fields)| *own == name && *fields != [F::Skip]))
 }

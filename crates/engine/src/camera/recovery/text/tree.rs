@@ -6,9 +6,11 @@
 use crate::camera::recovery::entries::Written;
 use crate::camera::recovery::text::MatrixTextError;
 use crate::camera::recovery::text::numbers::{has_decimal_commas, is_separator, without_indices, written};
+use crate::camera::recovery::text::tokens::{Reader, Token};
+use crate::camera::recovery::text::xml::xml;
 
 /// The depth of nesting that is read. No camera needs more.
-const DEPTH: usize = 60;
+pub(crate) const DEPTH: usize = 60;
 
 /// A name and its value.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -117,12 +119,24 @@ impl Node {
 }
 
 /// One value of several nodes: numbers without names are one list.
-fn fold(mut nodes: Vec<Node>) -> Value {
+pub(crate) fn fold(mut nodes: Vec<Node>) -> Value {
     let are_numbers = nodes.iter().all(|node| node.name.is_empty() && matches!(node.value, Value::Numbers(..)));
     if nodes.len() == 1 && nodes[0].name.is_empty() && nodes[0].call.is_empty() {
         return nodes.swap_remove(0).value;
     }
     if !are_numbers || nodes.is_empty() {
+        // Lists of pairs, as in Lisp.
+        let is_pair = |node: &Node| node.name.is_empty() && matches!(node.children(), [own] if !own.name.is_empty());
+        let are_pairs = nodes.len() > 1 && nodes.iter().filter(|node| node.name.is_empty()).all(is_pair);
+        let name = |node: &Node| node.children().first().map(|own| own.name.clone());
+        let is_distinct = (1..nodes.len()).all(|at| nodes[..at].iter().all(|before| name(before) != name(&nodes[at])));
+        if are_pairs && is_distinct {
+            let own = |node: Node| match node.value {
+                Value::Inner(inner) if node.name.is_empty() => inner,
+                value => vec![Node { value, ..node }],
+            };
+            return Value::Inner(nodes.into_iter().flat_map(own).collect());
+        }
         return Value::Inner(nodes);
     }
     let (mut numbers, mut lines) = (Vec::new(), Vec::new());
@@ -182,155 +196,7 @@ fn plain(text: &str) -> Result<Vec<Node>, MatrixTextError> {
     Ok(all)
 }
 
-#[derive(Debug)]
-enum Token {
-    Word(String),
-    Quoted(String),
-    Number(Written),
-    Open(char),
-    Close(char),
-    Comma,
-    Semicolon,
-    Assign,
-    /// A dash before an item of YAML.
-    Dash,
-    /// The end of a line: the indentation of the next one, and if an empty one lies between.
-    Line(usize, bool),
-    End,
-}
-
-/// A text on its way.
-struct Reader<'a> {
-    rest: &'a str,
-    decimal_commas: bool,
-    column: usize,
-    /// The indentation of this line, or of this item.
-    indent: usize,
-    at_start: bool,
-    after_space: bool,
-    /// `1.0e+03 *` of MATLAB before a matrix.
-    factor: f64,
-    /// Tokens that were looked at, the next one last.
-    ahead: Vec<Token>,
-    has_numbers: bool,
-    is_elided: bool,
-}
-
 impl Reader<'_> {
-    fn skip(&mut self, bytes: usize) {
-        self.column += bytes;
-        self.rest = &self.rest[bytes..];
-    }
-
-    fn peek(&mut self) -> &Token {
-        let token = self.token();
-        self.ahead.push(token);
-        // It was pushed.
-        &self.ahead[self.ahead.len() - 1]
-    }
-
-    fn token(&mut self) -> Token {
-        if let Some(token) = self.ahead.pop() {
-            return token;
-        }
-        loop {
-            let Some(c) = self.rest.chars().next() else { return Token::End };
-            let (at_start, after_space) = (self.at_start, self.after_space);
-            let after = &self.rest[c.len_utf8()..];
-            if c == '\n' {
-                let rest = self.rest.trim_start();
-                let passed = &self.rest[..self.rest.len() - rest.len()];
-                self.column = passed.rsplit('\n').next().map_or(0, str::len);
-                self.rest = rest;
-                (self.at_start, self.after_space) = (true, true);
-                return Token::Line(self.column, passed.matches('\n').count() > 1);
-            }
-            if c == '#' && after_space || self.rest.starts_with("//") {
-                self.skip(self.rest.find('\n').unwrap_or(self.rest.len()));
-                continue;
-            }
-            self.after_space = c.is_whitespace();
-            if c == '-' && at_start && after.starts_with([' ', '\n', '\r']) {
-                self.skip(1);
-                let rest = self.rest.trim_start_matches(' ');
-                self.skip(self.rest.len() - rest.len());
-                return Token::Dash;
-            }
-            self.at_start &= c.is_whitespace();
-            if matches!(c, '"' | '\'') {
-                self.skip(1);
-                if let Some(text) = self.quoted(c) {
-                    return Token::Quoted(text);
-                }
-                continue;
-            }
-            let is_bracket = c != '<' || after.starts_with(|c: char| c.is_alphanumeric() || "+-. ".contains(c));
-            let token = match c {
-                '[' | '(' | '{' | '<' if is_bracket => Token::Open(c),
-                ']' | ')' | '}' | '>' => Token::Close(c),
-                ',' if !self.decimal_commas => Token::Comma,
-                ';' | '\\' => Token::Semicolon,
-                ':' | '=' => Token::Assign,
-                _ if c.is_whitespace() || is_separator(c) => {
-                    self.skip(c.len_utf8());
-                    continue;
-                }
-                _ => return self.part(),
-            };
-            self.skip(1);
-            return token;
-        }
-    }
-
-    /// The text up to the other quote, which is on the same line.
-    fn quoted(&mut self, mark: char) -> Option<String> {
-        let mut is_escaped = false;
-        let is_end = |(_, c): &(usize, char)| {
-            let ends = *c == '\n' || *c == mark && !is_escaped;
-            is_escaped = *c == '\\' && !is_escaped;
-            ends
-        };
-        let (end, _) = self.rest.char_indices().find(is_end).filter(|(_, c)| *c == mark)?;
-        let text = self.rest[..end].to_owned();
-        self.skip(end + 1);
-        Some(text)
-    }
-
-    /// A word or a number.
-    fn part(&mut self) -> Token {
-        let mut word = String::new();
-        loop {
-            let ends = |c: char| {
-                c.is_whitespace() || is_separator(c) || "\"':=".contains(c) || c == ',' && !self.decimal_commas
-            };
-            let end = self.rest.find(ends).unwrap_or(self.rest.len());
-            word.push_str(&self.rest[..end]);
-            self.skip(end);
-            // `a::b` and `a->b` are names with a point.
-            if self.rest.starts_with("::") {
-                word.push('.');
-                self.skip(2);
-            } else if self.rest.starts_with('>') && word.ends_with('-') && word.len() > 1 {
-                word.pop();
-                word.push('.');
-                self.skip(1);
-            } else {
-                break;
-            }
-        }
-        // `0:` counts rows.
-        if !self.rest.starts_with([':', '='])
-            && let Some(mut number) = written(&word)
-        {
-            number.value *= self.factor;
-            number.error *= self.factor;
-            self.has_numbers = true;
-            return Token::Number(number);
-        }
-        self.is_elided |= self.has_numbers && matches!(word.as_str(), "..." | "…");
-        Token::Word(word)
-    }
-
     /// The nodes up to a bracket, or of a block of lines that are indented as far.
     fn nodes(&mut self, close: Option<char>, indent: usize, depth: usize) -> Vec<Node> {
         let mut all = Sequence { fresh: true, ..Sequence::default() };
@@ -345,9 +211,9 @@ impl Reader<'_> {
                     }
                 }
                 Token::Open(c) if depth < DEPTH => {
+                    let is_alone = all.fresh && all.pending.is_empty() && !all.waits();
                     all.begin();
                     all.end_line();
-                    let is_alone = all.is_empty() && all.fresh;
                     let end = match c {
                         '[' => ']',
                         '(' => ')',
@@ -359,9 +225,12 @@ impl Reader<'_> {
                     let is_section = c == '[' && depth == 0 && is_alone && is_end;
                     match section(&inner).filter(|_| is_section).map(|name| format!("[{name}")) {
                         Some(name) => {
+                            all.finish();
                             let own = inner.into_iter().filter(|node| node.word() != Some("")).collect();
                             all.done.push(Node::new(&name, Value::Inner(own)));
                         }
+                        // `-nan(ind)` of C.
+                        None if all.is_run && inner.iter().all(|node| node.word() == Some("")) => {}
                         None => all.push(fold(inner)),
                     }
                 }
@@ -383,7 +252,7 @@ impl Reader<'_> {
                         Token::Assign => true,
                         Token::Number(_) | Token::Open(_) => !all.waits(),
                         _ => false,
-                    };
+                    } || is_typed(&text);
                     match text.split_whitespace().last() {
                         Some(last) if is_name => all.word(last.to_owned()),
                         _ => all.text(&text),
@@ -437,6 +306,12 @@ impl Reader<'_> {
     }
 }
 
+/// True for a name of pbrt with its type before it: `float fov`.
+fn is_typed(text: &str) -> bool {
+    let types = ["integer", "float", "string", "bool", "point", "vector", "rgb", "spectrum", "texture"];
+    text.split_once(' ').is_some_and(|(kind, name)| types.contains(&kind) && !name.contains(' '))
+}
+
 /// The name of a section, if a bracket has no numbers: `[cam0]`, `[node name="Camera3D"]`.
 fn section(inner: &[Node]) -> Option<&str> {
     let is_number = |node: &Node| !node.numbers().0.is_empty();
@@ -468,10 +343,6 @@ struct Sequence {
 }
 
 impl Sequence {
-    fn is_empty(&self) -> bool {
-        self.pending.is_empty() && self.values.is_empty() && !self.is_assigned
-    }
-
     /// A name waits for its value.
     fn waits(&self) -> bool {
         self.is_assigned && self.values.is_empty()
@@ -526,7 +397,8 @@ impl Sequence {
 
     fn comma(&mut self, is_inside: bool) {
         self.has_commas = !self.pending.is_empty();
-        if is_inside && (self.is_assigned || !self.names.is_empty() || !self.pending.is_empty()) {
+        let is_word = self.waits() && self.has_commas;
+        if is_word || is_inside && (self.is_assigned || !self.names.is_empty() || !self.pending.is_empty()) {
             self.finish();
         }
     }
@@ -598,79 +470,8 @@ fn shared(names: &[String], values: Vec<Node>) -> Vec<Node> {
 }
 
 /// The numbers of a text that has nothing else.
-fn listed(text: &str) -> Option<Vec<Written>> {
+pub(crate) fn listed(text: &str) -> Option<Vec<Written>> {
     let parts = text.split(|c: char| c.is_whitespace() || c == ',').filter(|part| !part.is_empty());
     let numbers: Vec<Written> = parts.map(written).collect::<Option<_>>()?;
     (!numbers.is_empty()).then_some(numbers)
-}
-
-/// The numbers of a text, or the text.
-fn content(text: &str) -> Value {
-    match listed(text) {
-        Some(numbers) => {
-            let lines = text.lines().map(|line| line.split_whitespace().count()).filter(|count| *count > 0).collect();
-            Value::Numbers(numbers, lines)
-        }
-        None => Value::Word(text.to_owned()),
-    }
-}
-
-/// The elements of XML: attributes are nodes as well. An attribute that names an element is its name.
-fn xml(text: &str) -> Vec<Node> {
-    let mut open: Vec<(Node, Vec<Node>)> = vec![Default::default()];
-    let mut rest = text;
-    while let Some(at) = rest.find('<') {
-        let between = rest[..at].trim();
-        // There is always the whole.
-        if let Some((_, inner)) = open.last_mut().filter(|_| !between.is_empty()) {
-            inner.push(Node::new("", content(between)));
-        }
-        rest = &rest[at..];
-        let end = if rest.starts_with("<!--") { "-->" } else { ">" };
-        let Some(length) = rest.find(end) else { break };
-        let tag = &rest[1..length];
-        rest = &rest[length + end.len()..];
-        if tag.starts_with(['?', '!']) {
-            continue;
-        }
-        if !tag.starts_with('/') && open.len() <= DEPTH {
-            open.push(element(tag.trim_end_matches('/')));
-        }
-        if (tag.starts_with('/') || tag.ends_with('/')) && open.len() > 1 {
-            // It has more than the whole.
-            close(&mut open);
-        }
-    }
-    while open.len() > 1 {
-        close(&mut open);
-    }
-    open.pop().map(|(_, inner)| inner).unwrap_or_default()
-}
-
-/// Puts the last open element into the one around it.
-fn close(open: &mut Vec<(Node, Vec<Node>)>) {
-    if let Some((mut node, inner)) = open.pop()
-        && let Some((_, outer)) = open.last_mut()
-    {
-        node.value = fold(inner);
-        outer.push(node);
-    }
-}
-
-fn element(tag: &str) -> (Node, Vec<Node>) {
-    let (name, mut rest) = tag.split_once(char::is_whitespace).unwrap_or((tag, ""));
-    let mut node = Node { name: name.to_owned(), call: name.to_owned(), ..Node::default() };
-    let mut inner = Vec::new();
-    while let Some((key, after)) = rest.split_once('=') {
-        let after = after.trim_start();
-        let Some(mark) = after.chars().next().filter(|c| matches!(c, '"' | '\'')) else { break };
-        let Some((value, after)) = after[1..].split_once(mark) else { break };
-        rest = after;
-        match key.trim() {
-            "name" | "sid" if name != "node" && name != "camera" => value.clone_into(&mut node.name),
-            "value" | "data" => inner.push(Node::new("", content(value))),
-            key => inner.push(Node::new(key, content(value))),
-        }
-    }
-    (node, inner)
 }

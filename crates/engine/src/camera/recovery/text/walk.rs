@@ -3,7 +3,7 @@
 use super::camera::{Entry, Sign, assemble};
 use super::names::{Field, is_known, meaning, plain};
 use super::tree::{Node, Value};
-use super::{LeftOut, Pasted, Why, words};
+use super::{LeftOut, MatrixTextError, Pasted, Why, words};
 use crate::camera::recovery::MatrixKind;
 use crate::camera::recovery::entries::Written;
 use Field as F;
@@ -19,22 +19,26 @@ struct Scope {
 }
 
 /// The cameras of a tree, in its order; none if no name says what its numbers are.
-pub(crate) fn cameras(tree: &Node, sign: Sign) -> Vec<Pasted> {
+///
+/// # Errors
+/// [`MatrixTextError::NotCamera`] for a matrix that is none by its name.
+pub(crate) fn cameras(tree: &Node, sign: Sign) -> Result<Vec<Pasted>, MatrixTextError> {
     let mut scope = Scope::default();
     for node in tree.children() {
         walk(node, "", "", &mut scope);
     }
     if let (true, Value::Numbers(..) | Value::Word(_)) = (tree.children().is_empty(), &tree.value) {
-        return Vec::new();
+        return Ok(Vec::new());
     }
     if !scope.has_camera() {
-        return Vec::new();
+        let other = scope.entries.iter().find(|entry| entry.has(|field| field.is_left_out()));
+        return other.map_or(Ok(Vec::new()), |entry| Err(MatrixTextError::NotCamera(entry.name.clone())));
     }
     let mut found = Vec::new();
     split(scope, Vec::new(), &mut found);
     let mut cameras: Vec<Pasted> = found.iter().map(|(name, entries)| assemble(name, entries, sign)).collect();
     rig(&mut cameras, &found);
-    cameras
+    Ok(cameras)
 }
 
 impl Scope {
@@ -86,7 +90,7 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
     };
     let (shown, path) = (join(shown, &node.name), join(path, &plain(&node.name)));
     let (numbers, lines) = node.numbers();
-    let is_inner = node.children().iter().any(|child| is_known(&plain(&child.name)));
+    let is_inner = has_names(node);
     let call = join(&path, &plain(&node.call));
     let entry = |fields, index: &str, word| Entry {
         name: shown.clone(),
@@ -149,7 +153,7 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
             // `matrix_world` is Blender's, `matrixWorld` that of three.js.
             let is_blender = shown.contains("matrix_world");
             let word = if is_blender { words::find(&shown) } else { words::of_name(path) };
-            let word = word.filter(|word| is_matrix(word) && !is_inner);
+            let word = word.filter(|word| is_matrix(word) && (!is_inner || node.children().len() == 1));
             if let Some(word) = word {
                 let is_pixels =
                     count == 12 && matches!(word.kind, Some(MatrixKind::Projection | MatrixKind::Intrinsics));
@@ -162,11 +166,8 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
     match &node.value {
         Value::Inner(nodes) => {
             let is_numbered = node.name.ends_with(|c: char| c.is_ascii_digit());
-            let mut inner = Scope {
-                name: node.name.clone(),
-                is_item: node.name.is_empty() || is_numbered || node.call == "section",
-                ..Scope::default()
-            };
+            let mut inner =
+                Scope { name: node.name.clone(), is_item: node.name.is_empty() || is_numbered, ..Scope::default() };
             for (at, child) in nodes.iter().enumerate() {
                 let item = (child.name.is_empty() && nodes.len() > 1).then(|| format!("{shown}[{at}]"));
                 walk(child, item.as_deref().unwrap_or(&shown), &call, &mut inner);
@@ -176,6 +177,13 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
         Value::Numbers(..) if node.is_shape() => {}
         _ => scope.entries.push(entry(&[F::Unknown], "", None)),
     }
+}
+
+/// True if a node has names of the table inside.
+fn has_names(node: &Node) -> bool {
+    let is_matrix =
+        |child: &Node| matches!(child.numbers().0.len(), 12 | 16) && words::of_name(&plain(&child.name)).is_some();
+    node.children().iter().any(|child| is_known(&plain(&child.name)) || has_names(child) || is_matrix(child))
 }
 
 /// True if nine numbers have the zeros of K, by rows or by columns.
@@ -218,10 +226,7 @@ fn split(scope: Scope, outer: Vec<Entry>, found: &mut Vec<(String, Vec<Entry>)>)
     } else if cameras.len() > 1 && are_several {
         own.extend(outer);
         let shared = inherited(own);
-        for mut camera in cameras {
-            if camera.name.is_empty() {
-                camera.name.clone_from(&name);
-            }
+        for camera in cameras {
             split(camera, shared.clone(), found);
         }
     } else {
@@ -242,7 +247,9 @@ fn split(scope: Scope, outer: Vec<Entry>, found: &mut Vec<(String, Vec<Entry>)>)
 }
 
 /// Several cameras whose entries are numbered: `P0`, `P1`, `K_02`, `K_03`.
-fn numbered(name: &str, entries: Vec<Entry>, found: &mut Vec<(String, Vec<Entry>)>) {
+fn numbered(name: &str, mut entries: Vec<Entry>, found: &mut Vec<(String, Vec<Entry>)>) {
+    // KITTI: S_rect is the size of the image of P_rect.
+    entries.sort_by_key(|entry| !entry.name.to_lowercase().contains("_rect"));
     let is_main = |entry: &&Entry| !entry.index.is_empty() && entry.has(|field| field.is_pose() || field.is_lens());
     let mut indices: Vec<String> = Vec::new();
     for entry in entries.iter().filter(is_main) {
@@ -264,9 +271,7 @@ fn numbered(name: &str, entries: Vec<Entry>, found: &mut Vec<(String, Vec<Entry>
                 || entry.index.is_empty()
                     && (*index == last || !entry.has(|field| field.is_pose() || field == F::Baseline))
         };
-        let mut own: Vec<Entry> = entries.iter().filter(is_own).cloned().collect();
-        // KITTI: S_rect is the size of the image of P_rect.
-        own.sort_by_key(|entry| !entry.name.to_lowercase().contains("rect"));
+        let own: Vec<Entry> = entries.iter().filter(is_own).cloned().collect();
         let with = |wanted: &[Field]| {
             let is_it = |entry: &&Entry| entry.index == *index && entry.has(|field| wanted.contains(&field));
             own.iter().find(is_it).map(|entry| entry.name.clone())
@@ -296,7 +301,8 @@ fn rig(cameras: &mut [Pasted], found: &[(String, Vec<Entry>)]) {
         if !is_pair || cameras[at].entries.is_some() {
             continue;
         }
-        let baseline = found[at].1.iter().find(|entry| entry.fields == [F::Baseline] && at == 1);
+        let is_right = at == 1 && cameras.len() == 2 || cameras[at].name.to_lowercase().contains("right");
+        let baseline = found[at].1.iter().find(|entry| entry.fields == [F::Baseline] && is_right);
         let x = baseline.map(|entry| entry.numbers[0].value);
         cameras[at].set_view(glam::DMat4::from_translation(glam::DVec3::X * -x.unwrap_or(0.0)));
         cameras[at].is_origin = x.is_none();

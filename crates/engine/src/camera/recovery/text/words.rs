@@ -36,7 +36,7 @@ const fn with_axes(word: &'static str, kind: MatrixKind, axes: Axes) -> Word {
 }
 
 /// Without regard to capitals and underscores. A word stands before the shorter ones that it contains.
-const WORDS: [Word; 41] = [
+const WORDS: [Word; 42] = [
     row("worldviewproj", MatrixKind::ViewProjection),
     row("modelviewproj", MatrixKind::ViewProjection),
     row("viewproj", MatrixKind::ViewProjection),
@@ -58,6 +58,7 @@ const WORDS: [Word; 41] = [
     Word::full("tbs", MatrixKind::CameraToWorld, Axes::OPENCV, Order::Rows),
     row("tcamworld", MatrixKind::View),
     row("tworldcam", MatrixKind::CameraToWorld),
+    with_axes("cameratransform", MatrixKind::CameraToWorld, Axes::OPENGL),
     row("viewmatrix", MatrixKind::View),
     row("viewmat", MatrixKind::View),
     row("viewtransform", MatrixKind::View),
