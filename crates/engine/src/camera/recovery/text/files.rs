@@ -223,8 +223,8 @@ pub(crate) fn gltf(file: &Node) -> Option<Node> {
     let mut is_inner = vec![false; nodes.len()];
     nodes.iter().flat_map(|node| children(node)).for_each(|child| is_inner[child] = true);
     let roots = (0..nodes.len()).rev().filter(|node| !is_inner[*node]);
-    let start = (DMat4::IDENTITY, DMat3::IDENTITY, Vec::new());
-    let mut waiting: Vec<(usize, (DMat4, DMat3, Vec<Node>))> = roots.map(|node| (node, start.clone())).collect();
+    let start = (DMat4::IDENTITY, DMat3::IDENTITY, Vec::<Node>::new());
+    let mut waiting: Vec<_> = roots.map(|node| (node, start.clone())).collect();
     let mut found = Vec::new();
     for _ in 0..MAX_STEPS {
         let Some((at, (parent, turn, mut parts))) = waiting.pop() else { break };

@@ -48,71 +48,73 @@ impl Field {
     /// The count of its numbers; `None` for any.
     pub(crate) const fn count(self) -> Option<usize> {
         Some(match self {
-            F::Eye | F::Center | F::Target | F::Up | F::Forward | F::Backward | F::Front => 3,
-            F::T | F::Rvec | F::Euler | F::Rotation3 | F::BoundsMin | F::BoundsMax | F::Scale => 3,
-            F::Quaternion | F::Wxyz | F::Xyzw | F::AxisAngle | F::MinusEye => 4,
-            F::R | F::K => 9,
-            F::Pinhole | F::Map12 => 12,
-            F::Chain | F::R4 => 16,
-            F::Pan => 2,
-            F::Map9 => 9,
-            F::Map16 => 16,
-            F::Distortion | F::Part | F::Skip | F::NotCamera | F::Model | F::Name | F::FovAxis => return None,
-            F::Parallel | F::Perspective | F::Crop => return None,
+            Self::Eye | Self::Center | Self::Target | Self::Up | Self::Forward | Self::Backward | Self::Front => 3,
+            Self::T | Self::Rvec | Self::Euler | Self::Rotation3 | Self::BoundsMin | Self::BoundsMax | Self::Scale => 3,
+            Self::Quaternion | Self::Wxyz | Self::Xyzw | Self::AxisAngle | Self::MinusEye => 4,
+            Self::R | Self::K => 9,
+            Self::Pinhole | Self::Map12 => 12,
+            Self::Chain | Self::R4 => 16,
+            Self::Pan => 2,
+            Self::Map9 => 9,
+            Self::Map16 => 16,
+            Self::Distortion | Self::Part | Self::Skip | Self::NotCamera | Self::Model | Self::Name | Self::FovAxis => {
+                return None;
+            }
+            Self::Parallel | Self::Perspective | Self::Crop => return None,
             _ => 1,
         })
     }
 
     /// True if it's left out with all that is inside.
     pub(crate) const fn is_left_out(self) -> bool {
-        matches!(self, F::NotCamera | F::Map9 | F::Map12 | F::Map16)
+        matches!(self, Self::NotCamera | Self::Map9 | Self::Map12 | Self::Map16)
     }
 
     /// A part of a pose.
     pub(crate) fn is_pose(self) -> bool {
-        (self as u8) < F::K as u8
+        (self as u8) < Self::K as u8
     }
 
     /// A part without which a lens says nothing.
     pub(crate) fn is_lens(self) -> bool {
-        use F::{AngleX, AngleY, Focal, FocalMm, Fov, Fx, HalfHeight, Height, K, Left, WindowHeight};
+        use Field::{AngleX, AngleY, Focal, FocalMm, Fov, Fx, HalfHeight, Height, K, Left, WindowHeight};
         matches!(self, K | Fx | Focal | FocalMm | Fov | AngleX | AngleY | Left | Height | HalfHeight | WindowHeight)
     }
 
     /// Its symbol, the same in every language.
     pub(crate) const fn symbol(self) -> &'static str {
         match self {
-            F::Eye | F::Center | F::MinusEye => "C",
-            F::Target => "PF",
-            F::Up => "VUP",
-            F::Forward | F::Front => "DOP",
-            F::Backward => "n",
-            F::T => "t",
-            F::Rvec | F::Euler | F::Rotation3 | F::R | F::R4 | F::AxisAngle => "R",
-            F::Quaternion | F::Wxyz | F::Xyzw => "q",
-            F::K => "K",
-            F::Pinhole => "K [R | t]",
-            F::Matrix | F::Chain | F::Part => "M_v",
-            F::Fx => "f_x",
-            F::Fy => "f_y",
-            F::Cx | F::SensorX => "c_x",
-            F::Cy | F::SensorY => "c_y",
-            F::Focal | F::FocalMm => "f",
-            F::Fov | F::AngleX | F::AngleY | F::FovAxis => "theta",
-            F::Aspect | F::PixelAspectX | F::PixelAspectY => "A",
-            F::Near | F::NearOfTarget => "F",
-            F::Far | F::FarOfTarget => "B",
-            F::Left => "l",
-            F::Right => "r",
-            F::Bottom => "b",
-            F::Top => "t",
-            F::Height | F::HalfHeight | F::WindowHeight => "H",
-            F::Width | F::HalfWidth => "W",
-            F::ImageWidth => "m",
-            F::ImageHeight => "n",
-            F::Parallel | F::Perspective | F::Model => "projection",
-            F::Name => "name",
-            F::Baseline => "baseline",
+            Self::Eye | Self::Center | Self::MinusEye => "C",
+            Self::Target => "PF",
+            Self::Up => "VUP",
+            Self::Forward | Self::Front => "DOP",
+            Self::Backward => "n",
+            Self::T => "t",
+            Self::Rvec | Self::Euler | Self::Rotation3 | Self::R | Self::R4 | Self::AxisAngle => "R",
+            Self::Quaternion | Self::Wxyz | Self::Xyzw => "q",
+            Self::K => "K",
+            Self::Pinhole => "K [R | t]",
+            Self::Matrix | Self::Chain | Self::Part => "M_v",
+            Self::Fx => "f_x",
+            Self::Fy => "f_y",
+            Self::Cx | Self::SensorX => "c_x",
+            Self::Cy | Self::SensorY => "c_y",
+            Self::Focal | Self::FocalMm => "f",
+            Self::Fov | Self::AngleX | Self::AngleY | Self::FovAxis => "theta",
+            Self::Aspect | Self::PixelAspectX | Self::PixelAspectY => "A",
+            Self::Near | Self::NearOfTarget => "F",
+            Self::Far | Self::FarOfTarget => "B",
+            Self::Left => "l",
+            Self::Right => "r",
+            Self::Bottom => "b",
+            Self::Top => "t",
+            Self::Height | Self::HalfHeight | Self::WindowHeight => "H",
+            Self::Width | Self::HalfWidth => "W",
+            Self::ImageWidth => "m",
+            Self::ImageHeight => "n",
+            Self::Parallel | Self::Perspective | Self::Model => "projection",
+            Self::Name => "name",
+            Self::Baseline => "baseline",
             _ => "window",
         }
     }
@@ -121,7 +123,7 @@ impl Field {
 /// Names without capitals, underscores and blanks, and the meanings of their numbers in order. A name may stand inside
 /// another one: `fixed.width`. Names of one letter keep their capital.
 #[rustfmt::skip]
-const ROWS: &[(&str, &[Field])] = &[
+const ROWS: &[Row] = &[
     ("eye eyepoint eyeposition position campos camerapos cameraposition pos location origin vrp cameracenter from C", &[F::Eye]),
     ("position.set setposition freecamera fromxyz setpositionandrotation.vector3 setactorlocationandrotation.fvector", &[F::Eye]),
     ("center centre", &[F::Center]),
@@ -240,9 +242,12 @@ const ROWS: &[(&str, &[Field])] = &[
       startframe endframe dorectify numberofelements index fstop shutteropen shutterclose focusdistance", &[F::Skip]),
 ];
 
+/// Names, and the meanings of their numbers.
+type Row = (&'static str, &'static [Field]);
+
 /// The rows of each last part of a name.
-static TABLE: LazyLock<HashMap<&str, Vec<(&str, &[Field])>>> = LazyLock::new(|| {
-    let mut table: HashMap<&str, Vec<(&str, &[Field])>> = HashMap::new();
+static TABLE: LazyLock<HashMap<&str, Vec<Row>>> = LazyLock::new(|| {
+    let mut table: HashMap<&str, Vec<Row>> = HashMap::new();
     for (names, fields) in ROWS {
         for name in names.split_whitespace() {
             let last = name.rsplit('.').next().unwrap_or(name);

@@ -388,7 +388,7 @@ impl Sequence {
     }
 
     fn word(&mut self, word: String) {
-        if self.fresh && !self.waits() || self.fresh && !self.pending.is_empty() {
+        if self.fresh && !(self.waits() && self.pending.is_empty()) {
             self.finish();
         }
         self.fresh = false;

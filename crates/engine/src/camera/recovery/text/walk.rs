@@ -15,7 +15,7 @@ struct Scope {
     /// An item of a list, or one of several that are numbered.
     is_item: bool,
     entries: Vec<Entry>,
-    inner: Vec<Scope>,
+    inner: Vec<Self>,
 }
 
 /// The cameras of a tree, in its order; none if no name says what its numbers are.
