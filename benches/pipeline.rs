@@ -74,6 +74,7 @@ fn around(mesh: &Mesh) -> Pictured {
         sampler: Sampler::default(),
         uv: Arc::new(uv.collect()),
         tint: Rgba::rgb(255, 255, 255),
+        tints: Arc::default(),
         translucent: false,
     }
 }

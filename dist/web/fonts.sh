@@ -27,4 +27,5 @@ pyftsubset /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --output-file="$
 
 subset "$pictures" DejaVuSans "$letters"
 subset "$window" DejaVuSansMono "$columns"
+subset "$window" DejaVuSans-Bold "$heads"
 ls -l "$pictures/page" "$window/page"

@@ -9,12 +9,13 @@ pub mod draw;
 pub mod exercise;
 pub mod expression;
 pub mod figure;
-pub mod gltf;
 pub mod lesson;
 pub mod link;
+mod mesh;
 mod notation;
-pub mod obj;
 pub mod paper;
 pub mod png;
 pub mod raster;
 pub mod texture;
+
+pub use mesh::{gltf, obj, ply, stl};

@@ -21,7 +21,7 @@ pub(super) fn run(args: &InspectArgs, lang: Lang) -> Result<(), Failure> {
     };
     let space = camera.clip_space(args.ndc).map_err(|error| bad_input(error.into()))?;
     let report = Report::of(&space, figure.image, figure.viewport, &points, &pixels).map_err(bad_input)?;
-    let report = report.with_cameras(figure, args.ndc).map_err(bad_input)?;
+    let report = report.with_cameras(figure, &space, &points).map_err(bad_input)?;
     let setting = Setting::new(space, figure.image, figure.viewport);
     let way_back = |(pixel, depth): ([i64; 2], f64)| {
         DepthPixelReport::new(&setting, pixel, depth)

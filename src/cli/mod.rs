@@ -37,7 +37,7 @@ use clap::Parser;
 use serde::Serialize;
 
 use crate::camera::{Camera, Convention, ImageSize, Operation};
-use crate::figure::read::line_of_object;
+use crate::figure::read::{self, line_of_object};
 use crate::figure::{Figure, update};
 use crate::inspect::{InspectError, camera_after, for_terminals};
 use crate::lessons::OpenLesson;
@@ -217,23 +217,21 @@ fn say_left_out(left_out: Option<LeftOut>, output: &Path, lang: Lang) {
 /// same from there.
 ///
 /// # Errors
-/// One of its cameras is impossible, so no command could open the file.
+/// It's impossible, for example a camera or a comparison, so no command could open the file.
 fn text_for_file(
     (path, opened): (&Path, &Opened),
     figure: &Figure,
     to: Option<&Path>,
     lang: Lang,
 ) -> Result<String, Failure> {
-    let cameras = figure.cameras.iter().map(|camera| &camera.parameters);
-    std::iter::once(&figure.camera).chain(cameras).try_for_each(|camera| Camera::new(camera).map(drop)).map_err(
-        |error| {
-            let name = messages::opened(lang, path);
-            Failure::BadInput(format!("{name}: {}", messages::camera(lang, &error)))
-        },
-    )?;
     // The folder of a link is none.
     let from = path.parent().filter(|_| share::link_of(path).is_none());
-    Ok(update(&opened.text, &files::for_folder(figure, from, to).0))
+    let text = update(&opened.text, &files::for_folder(figure, from, to).0);
+    read::parse_known(&text).map_err(|error| {
+        let name = messages::opened(lang, path);
+        Failure::BadInput(format!("{name}: {}", messages::without_line(lang, &error)))
+    })?;
+    Ok(text)
 }
 
 /// As [`text_for_file`], for standard output, which the user most likely sends into a file of this folder.

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::{Failure, json_of, open, print, text_to_print};
-use crate::camera::{PhotographCamera, camera_of_photograph};
+use crate::camera::{Doubt, PhotographCamera, camera_of_photograph};
 use crate::cli::args::figure::size;
 use crate::cli::args::photograph::PhotographArgs;
 use crate::cli::args::words::{TableFormat, written};
@@ -23,7 +23,9 @@ struct Answer {
     focal_length: Option<f64>,
     view_angle_per_pixel: Option<f64>,
     direction_per_pixel: f64,
-    untold: Vec<Open>,
+    middle: [f64; 2],
+    untold: Vec<Notice>,
+    notices: Vec<Notice>,
 }
 
 #[derive(Serialize)]
@@ -33,10 +35,11 @@ struct Vanishing {
     spread: f64,
 }
 
+/// A value that stays open, or a contradiction in the marks.
 #[derive(Serialize)]
-struct Open {
+struct Notice {
     code: &'static str,
-    message: &'static str,
+    message: String,
 }
 
 pub(super) fn run(args: &PhotographArgs, lang: Lang) -> Result<(), Failure> {
@@ -74,10 +77,12 @@ impl Answer {
             focal_length: found.focal_length,
             view_angle_per_pixel: found.view_angle_per_pixel,
             direction_per_pixel: found.direction_per_pixel,
-            untold: found
-                .untold
-                .iter()
-                .map(|untold| Open { code: untold.code(), message: texts::untold(lang, *untold) })
+            middle: found.middle.to_array(),
+            untold: (found.untold.iter())
+                .map(|untold| Notice { code: untold.code(), message: texts::untold(lang, *untold).to_owned() })
+                .collect(),
+            notices: (found.doubts.iter().zip(texts::doubts(lang, found)))
+                .map(|(doubt, message)| Notice { code: doubt.code(), message })
                 .collect(),
         }
     }
@@ -90,8 +95,12 @@ fn comments(found: &PhotographCamera, lang: Lang) -> String {
         // Writing to a String can't fail.
         let _ = writeln!(text, "# {line}");
     }
-    for untold in &found.untold {
-        let _ = writeln!(text, "# {}", texts::untold(lang, *untold));
+    let untold = found.untold.iter().map(|untold| texts::untold(lang, *untold).to_owned());
+    for line in untold.chain(texts::doubts(lang, found)) {
+        let _ = writeln!(text, "# {line}");
+    }
+    if let Some(Doubt::Middle { pixel, .. }) = found.doubts.last() {
+        let _ = writeln!(text, "# --middle {:.0},{:.0}", pixel.x, pixel.y);
     }
     text + "\n"
 }

@@ -174,3 +174,43 @@ fn a_photograph_without_a_scene_is_no_empty_image() {
     window.click(words::texts(Lang::En).remove);
     assert!(is_empty(&mut window), "without it, nothing is there");
 }
+
+#[test]
+fn the_length_snaps_to_its_axis_and_a_drag_at_the_origin_leaves_it_there() {
+    let t = words::texts(Lang::En);
+    let mut window = window(Lang::En, WRONG);
+    window.click(t.find);
+    draw(&mut window, [0.0, 0.0, 0.0], [4.0, 0.0, 0.0]);
+    draw(&mut window, [0.0, 2.0, 0.0], [4.0, 2.0, 0.0]);
+    window.click(&format!("{} z", t.line));
+    draw(&mut window, [4.0, 0.0, -3.0], [4.0, 0.0, 0.0]);
+    draw(&mut window, [4.0, 2.0, -3.0], [4.0, 2.0, 0.0]);
+    // A place without the end of a line.
+    let origin = on_screen(&window, [2.0, 0.0, 0.0]);
+    window.click(t.origin);
+    window.click_at(origin);
+    let marked = window.state().model.photograph.marks.origin.expect("an origin");
+    window.click(t.known);
+    let beside = eframe::egui::vec2(0.0, 5.0);
+    window.drag(origin, on_screen(&window, [3.0, 0.0, 0.0]) + beside - origin, |_| {});
+    let tool = &window.state().model.photograph;
+    assert_eq!(tool.marks.origin, Some(marked), "it stays");
+    let (axis, at, _) = tool.marks.length.expect("a length");
+    assert_eq!(axis, WorldAxis::X);
+    let given = *window.state().model.desk.shown.camera().parameters();
+    let found = tool.camera(figure(&window).image, &given).expect("a camera");
+    let way = found.way(WorldAxis::X, marked, figure(&window).image);
+    assert!(way.perp_dot(at - marked).abs() < 1e-6 && way.dot(at - marked) > 20.0, "{at} {marked} {way}");
+    // Far from the axis it isn't one of its points.
+    let far = on_screen(&window, [3.0, 1.5, 0.0]);
+    window.click_at(far);
+    let tool = &window.state().model.photograph;
+    let refused = tool.camera(figure(&window).image, &given).expect_err("a refusal");
+    assert!(matches!(refused, camera_lab::camera::PhotographError::BesideAxis(WorldAxis::X, pixels) if pixels > 20.0));
+    assert!(window.says(&steps::error(Lang::En, &refused)));
+    // A line that begins at the origin leaves it there, too.
+    window.click(&format!("{} y", t.line));
+    draw(&mut window, [2.0, 0.0, 0.0], [2.0, 2.0, 0.0]);
+    let tool = &window.state().model.photograph;
+    assert_eq!((tool.marks.origin, tool.marks.lines.len()), (Some(marked), 5));
+}

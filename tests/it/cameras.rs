@@ -2,12 +2,14 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::camera::{Camera, Viewport};
-use camera_lab::figure::{Figure, View, read};
+use camera_lab::camera::{Camera, Convention, ImageSize, Parameters, Projection, Viewport};
+use camera_lab::figure::{Figure, NamedCamera, View, read};
+use camera_lab::inspect::Report;
 use camera_lab::picture::Renderer;
 use camera_lab::views::{Request, Size, camera_at};
 use camera_lab_words::{Lang, pictures::labels};
-use glam::DVec3;
+use glam::{DMat3, DVec2, DVec3};
+use proptest::prelude::*;
 
 use crate::common::program::Bench;
 use crate::common::shot::scene;
@@ -111,4 +113,114 @@ fn a_marked_pixel_is_its_epipolar_line_in_the_other_image() {
     assert!(on_line > 12, "{on_line}");
     // Nothing of the pair is in the world, which shows both cameras anyway.
     assert!(request(&figure, View::World).sides().is_none());
+}
+
+/// The pixel of a point, not floored.
+fn pixel(camera: &Camera, image: ImageSize, p: DVec3) -> DVec2 {
+    let ndc = camera.stations(p, image, &Viewport::whole(image)).projected.unwrap().ndc;
+    DVec2::new((ndc.x + 1.0) / 2.0 * f64::from(image.width), (1.0 - ndc.y) / 2.0 * f64::from(image.height))
+}
+
+fn matrix(rows: [[f64; 3]; 3]) -> DMat3 {
+    DMat3::from_cols_array_2d(&rows).transpose()
+}
+
+/// A camera anywhere about the origin.
+fn any_camera() -> impl Strategy<Value = Parameters> {
+    let place = || (-9.0..9.0, -9.0..9.0, -9.0..9.0).prop_map(|(x, y, z)| DVec3::new(x, y, z));
+    (place(), place(), 20.0..100.0, any::<bool>(), 0.5..2.0).prop_map(
+        |(position, aim, view_angle, is_parallel, aspect)| {
+            let projection = if is_parallel { Projection::Parallel } else { Projection::Perspective };
+            let focal_point = aim * 0.2;
+            Parameters { position, focal_point, view_angle, aspect, projection, height: 6.0, ..Parameters::default() }
+        },
+    )
+}
+
+proptest! {
+    /// F and E by their definitions, from the pixels of points alone.
+    #[test]
+    fn a_pair_reports_what_a_pixel_here_says_there(own in any_camera(), other in any_camera(), p in prop::array::uniform3(-1.0..1.0)) {
+        let ([Ok(here), Ok(there)], p) = ([own, other].map(|p| Camera::new(&p)), DVec3::from_array(p)) else {
+            return Ok(());
+        };
+        prop_assume!([&here, &there].iter().all(|camera| camera.view_point(p).z < -1.0));
+        prop_assume!(own.position.distance(other.position) > 0.5);
+        let named = NamedCamera { name: "there".to_owned(), color: None, parameters: other, lens: None };
+        let figure = Figure { camera: own, cameras: vec![named], ..Figure::default() };
+        let report = Report::new(&figure, &[], Convention::RightHand, &[p], &[]).unwrap();
+        let pair = &report.pairs[0];
+        prop_assert_eq!(DVec3::from_array(pair.baseline), other.position - own.position);
+        let f = matrix(pair.fundamental.unwrap());
+        prop_assert!((f.to_cols_array().iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-9);
+        let [x, x_there] = [&here, &there].map(|camera| pixel(camera, figure.image, p));
+        let line = &pair.lines[0];
+        prop_assert!((line.disparity.unwrap() - (x.x - x_there.x)).abs() < 1e-6);
+        // Distances in pixels from the point's own lines.
+        let [a, b] = [(line.here, x), (line.there, x_there)].map(|(line, x)| DVec3::from_array(line.unwrap()).dot(x.extend(1.0)));
+        prop_assert!(a.abs() < 1e-4 && b.abs() < 1e-4, "{a} {b}");
+        let l = f * x.extend(1.0);
+        prop_assert!((l.dot(x_there.extend(1.0)) / l.truncate().length()).abs() < 1e-4);
+        // All lines meet in the epipole.
+        if let Some(e) = pair.epipole {
+            let e = DVec2::from_array(e).extend(1.0);
+            prop_assert!((f * e).length() < 1e-8 * e.length(), "{}", f * e);
+            if other.projection == Projection::Perspective && here.view_point(other.position).z < -0.1 {
+                prop_assert!(pixel(&here, figure.image, other.position).distance(e.truncate()) < 1e-4 * e.length());
+            }
+        }
+        let both = own.projection == Projection::Perspective && other.projection == Projection::Perspective;
+        prop_assert_eq!(pair.essential.is_some(), both);
+        if let Some(e) = pair.essential {
+            // Directions to the point, x to the right, y down and z ahead.
+            let [d, d_there] = [&here, &there].map(|camera| camera.view_point(p).normalize() * DVec3::new(1.0, -1.0, -1.0));
+            let e = matrix(e);
+            prop_assert!(d_there.dot(e * d).abs() < 1e-9 * own.position.distance(other.position));
+            // Two equal singular values, the length of the baseline, and 0: 2 E Eᵀ E = tr(E Eᵀ) E.
+            let square = e * e.transpose();
+            let trace = square.x_axis.x + square.y_axis.y + square.z_axis.z;
+            let length = own.position.distance(other.position);
+            prop_assert!((trace - 2.0 * length * length).abs() < 1e-9 * trace);
+            prop_assert!((square * e * 2.0).abs_diff_eq(e * trace, 1e-9 * trace * length));
+        }
+    }
+}
+
+#[test]
+fn a_pair_with_one_centre_has_no_f_and_a_rectified_one_no_epipoles() {
+    let bench = Bench::new("cameras-pairs");
+    let report = |more: &str| {
+        bench.write(
+            "f.toml",
+            format!("[camera]\nposition = [1, 2, 6]\nfocal_point = [1, 2, 0]\n[[cameras]]\nname = \"b\"\n{more}"),
+        );
+        bench.run(&["inspect", "f.toml", "--point=0,0,0", "--point=1,2,6", "--format", "json"]).json()["pairs"][0]
+            .clone()
+    };
+    let one = report("position = [1, 2, 6]\nfocal_point = [0, 1, 0]\n");
+    assert!(one["fundamental"].is_null() && one["lines"][0]["there"].is_null() && one["epipole"].is_null(), "{one}");
+    let rectified = report("position = [1.7, 2, 6]\nfocal_point = [1.7, 2, 0]\n");
+    assert!(rectified["epipole"].is_null() && rectified["epipole_there"].is_null(), "{rectified}");
+    // f b / z, in pixels of 1024 × 768 at 45°.
+    let disparity = 384.0 / 22.5_f64.to_radians().tan() * 0.7 / 6.0;
+    assert!((rectified["lines"][0]["disparity"].as_f64().unwrap() - disparity).abs() < 1e-9);
+    assert!(rectified["lines"][1]["disparity"].is_null(), "C has no pixel");
+}
+
+#[test]
+fn an_epipolar_line_crosses_the_whole_image_with_its_name_and_stays_with_depths() {
+    for depth in ["", "[reveal]\ndepth = true\n"] {
+        let compare = "[show]\nprobe = { pixel = [520, 330] }\n[compare]\ncamera = \"right\"\nlayout = \"beside\"\n";
+        let figure = read::parse(&format!("{PAIR}{compare}{depth}")).unwrap();
+        let [_, other] = request(&figure, View::Image).sides().unwrap();
+        let marked = pixels_of(&other.request, [0xb0, 0x00, 0x5e]);
+        let columns: std::collections::BTreeSet<u64> = marked.iter().map(|at| at[0] as u64).collect();
+        let width = u64::from(other.request.size.width);
+        let ends = [columns.first().unwrap(), columns.last().unwrap()];
+        assert!(*ends[0] < 4 && *ends[1] + 4 > width && columns.len() as u64 > width * 2 / 3, "{depth}{ends:?}");
+        let svg = Bench::new("cameras-epipolar");
+        svg.write("f.toml", format!("{PAIR}{compare}{depth}"));
+        svg.run(&["render", "f.toml", "--view", "image", "--lang", "pt-BR", "-o", "f.svg"]).done();
+        assert!(String::from_utf8(svg.read("f.svg")).unwrap().contains("reta epipolar"));
+    }
 }

@@ -155,17 +155,11 @@ fn code_is_printed_for_a_figure_after_operations() {
 const WITHOUT_PLANES: [CodeTarget; 5] =
     [CodeTarget::OpenCv, CodeTarget::Open3d, CodeTarget::Colmap, CodeTarget::Nerfstudio, CodeTarget::PyTorch3d];
 
-/// The code of a camera gives it back, likely or better, with F and B if the program has them. `current` is the figure
-/// that the reader has.
+/// The code of a camera gives it back, likely or better, with F and B if the program has them.
 fn is_read_back(target: CodeTarget, camera: &Camera) -> Result<(), TestCaseError> {
     let setting = Setting::new(camera.notes_clip_space(), IMAGE, None);
     let comments = texts::comments(Lang::En, target, &target.conventions(camera));
     let code = target.code(&setting, &comments);
-    let is_image = (camera.window_aspect() / IMAGE.aspect() - 1.0).abs() < 1e-9;
-    if target == CodeTarget::Blender && !is_image && !code.contains("pixel_aspect") {
-        // Blender's window has the shape of its image, unless its pixels aren't square.
-        return Ok(());
-    }
     let fail = |why: String| TestCaseError::fail(format!("{}: {why}\n{code}", target.name()));
     let pasted = read_cameras(code.as_bytes()).map_err(|error| fail(error.to_string()))?.remove(0);
     let stated = Stated { image: pasted.image.unwrap_or(IMAGE), ..Stated::default() };
@@ -202,7 +196,7 @@ fn is_read_back(target: CodeTarget, camera: &Camera) -> Result<(), TestCaseError
 #[test]
 fn the_code_of_each_program_gives_the_camera_back() {
     for (_, camera, _) in cameras() {
-        for target in CodeTarget::ALL.into_iter().filter(|target| target.limitation(&camera).is_none()) {
+        for target in CodeTarget::ALL.into_iter().filter(|target| target.limitation(&camera, IMAGE).is_none()) {
             if target == CodeTarget::Latex {
                 let setting = Setting::new(camera.notes_clip_space(), IMAGE, None);
                 let error = read_cameras(target.code(&setting, &[]).as_bytes()).unwrap_err();
@@ -218,13 +212,126 @@ fn the_code_of_each_program_gives_the_camera_back() {
 fn code_is_refused_for_a_camera_that_a_program_lacks() {
     let [(_, perspective, _), (_, asymmetric, _), (_, parallel, _)] = cameras();
     for target in CodeTarget::ALL {
-        assert_eq!(target.limitation(&perspective), None, "{}", target.name());
+        assert_eq!(target.limitation(&perspective, IMAGE), None, "{}", target.name());
     }
-    assert_eq!(CodeTarget::Bevy.limitation(&asymmetric), Some(Limitation::SymmetricOnly));
-    assert_eq!(CodeTarget::Colmap.limitation(&parallel), Some(Limitation::PerspectiveOnly));
+    assert_eq!(CodeTarget::Bevy.limitation(&asymmetric, IMAGE), Some(Limitation::SymmetricOnly));
+    assert_eq!(CodeTarget::Colmap.limitation(&parallel, IMAGE), Some(Limitation::PerspectiveOnly));
     let bench = Bench::new("code that is refused");
     bench.write("f.toml", "[camera]\nprojection = \"parallel\"\n");
     assert!(bench.run(&["code", "f.toml", "--for", "opencv"]).refused(2).contains("perspective only"));
+}
+
+/// The values that code assigns or passes under a name.
+fn values(code: &str, name: &str) -> Option<Vec<f64>> {
+    let rest = code.split_once(name)?.1.trim_start_matches([' ', '=', '(']);
+    let text = rest.split(['\n', ')']).next()?;
+    text.split(',').map(|x| x.trim().parse().ok()).collect()
+}
+
+/// Cameras with any shape of pixels, lens, window and, in parallel projection, any F.
+fn any_shape() -> impl Strategy<Value = (Camera, DVec3)> {
+    let window = prop_oneof![
+        Just(None),
+        (0.2..2.0, 0.2..2.0, 0.2..2.0, 0.2..2.0).prop_map(|(l, r, b, t): (f64, f64, f64, f64)| {
+            Some(ViewWindow { left: -l, right: r, bottom: -b, top: t })
+        })
+    ];
+    let lens = (0.4..179.0, any::<bool>(), -30.0..5.0, window, 0.3..4.0);
+    (lens, (-1.0..1.0, -1.0..1.0, 0.2..0.9)).prop_map(|((view_angle, is_parallel, near, window, aspect), at)| {
+        let parameters = Parameters {
+            position: DVec3::new(3.0, 4.0, 5.0),
+            view_angle,
+            aspect,
+            window,
+            near: if is_parallel { near } else { 0.5 },
+            far: 40.0,
+            projection: if is_parallel { Projection::Parallel } else { Projection::Perspective },
+            ..Parameters::default()
+        };
+        let camera = Camera::new(&parameters).unwrap();
+        let depth: f64 = camera.near() + at.2 * (camera.far() - camera.near());
+        let scale = if is_parallel { 1.0 } else { depth / camera.near() };
+        let side = 0.4 * camera.window_width().min(camera.window_height()) * scale;
+        let view = DVec3::new(at.0 * side, at.1 * side, -depth);
+        let p = camera.world_from_view().transform_point3(view);
+        (camera, p)
+    })
+}
+
+/// (i, j), not floored.
+fn pixel_of(camera: &Camera, p: DVec3) -> [f64; 2] {
+    let clip = camera.clip_from_world() * p.extend(1.0);
+    let [m, n] = [f64::from(IMAGE.width), f64::from(IMAGE.height)];
+    [(clip.x / clip.w + 1.0) / 2.0 * m, (1.0 - clip.y / clip.w) / 2.0 * n]
+}
+
+proptest! {
+    /// The rules of `BKE_camera_params_compute_viewplane`, and Blender's ranges.
+    #[test]
+    fn blender_gets_every_camera_in_its_ranges((camera, p) in any_shape()) {
+        prop_assert_eq!(CodeTarget::Blender.limitation(&camera, IMAGE), None);
+        let code = CodeTarget::Blender.code(&Setting::new(camera.notes_clip_space(), IMAGE, None), &[]);
+        let matrix = code.split_once("Matrix((").unwrap().1.split_once("))\n").unwrap().0;
+        let matrix: Vec<f64> =
+            matrix.split([',', '(', ')', ' ']).filter(|x| !x.is_empty()).map(|x| x.parse().unwrap()).collect();
+        let world_from_camera = DMat4::from_cols_slice(&matrix).transpose();
+        // Blender's z is up.
+        let v = (world_from_camera.inverse() * DVec4::new(p.x, -p.z, p.y, 1.0)).truncate();
+        let clip = values(&code, "camera.data.clip_end").unwrap();
+        prop_assert!(clip[0] >= 1e-6 && -v.z > clip[0] && -v.z < clip[1], "{} {:?}", v.z, clip);
+        let pixel = values(&code, "scene.render.pixel_aspect_y").unwrap_or_else(|| vec![1.0, 1.0]);
+        prop_assert!(pixel.iter().all(|x| (1.0..=200.0).contains(x)));
+        // The sizes of the view plane at the distance 1, from the height, in pixels as wide as high.
+        let [m, n] = [f64::from(IMAGE.width), f64::from(IMAGE.height) * pixel[1] / pixel[0]];
+        let (height, at) = if let Some(scale) = values(&code, "ortho_scale") {
+            (scale[0], [v.x, v.y])
+        } else {
+            let [lens, sensor] = ["data.lens", "sensor_height"].map(|name| values(&code, name).unwrap()[0]);
+            prop_assert!((1.0..=5000.0).contains(&lens) && sensor >= 1.0);
+            (sensor / lens, [v.x / -v.z, v.y / -v.z])
+        };
+        let shift = values(&code, "shift_y").unwrap();
+        let across = [at[0] / (height * m / n) - shift[0] * n / m, at[1] / height - shift[1]];
+        let seen = [(across[0] + 0.5) * m, (0.5 - across[1]) * f64::from(IMAGE.height)];
+        let expected = pixel_of(&camera, p);
+        prop_assert!((0..2).all(|k| (seen[k] - expected[k]).abs() < 1e-5), "{seen:?} {expected:?}\n{code}");
+    }
+
+    /// In pixels: x = c − f x_c, since PyTorch3D's x runs to the left and its y up.
+    #[test]
+    fn pytorch3d_gets_every_camera_in_pixels((camera, p) in any_shape()) {
+        prop_assert_eq!(CodeTarget::PyTorch3d.limitation(&camera, IMAGE), None);
+        let code = CodeTarget::PyTorch3d.code(&Setting::new(camera.notes_clip_space(), IMAGE, None), &[]);
+        prop_assert!(code.contains("in_ndc=False") && code.contains("image_size=((480, 640),)"));
+        let numbers = |name: &str| -> Vec<f64> {
+            let text = code.split_once(name).unwrap().1.split_once('\n').unwrap().0;
+            text.split(['[', ']', '(', ')', ',', ' ', '=']).filter_map(|x| x.parse().ok()).collect()
+        };
+        let (r, t) = (DMat3::from_cols_slice(&numbers("R = torch.tensor")), DVec3::from_slice(&numbers("T = torch.tensor")));
+        // Row vectors: the rows of R are the columns that act on p.
+        let v = r * p + t;
+        let [f, c] = ["focal_length", "principal_point"].map(|name| numbers(name));
+        let depth = if camera.projection() == Projection::Parallel { 1.0 } else { v.z };
+        let seen = [c[0] - f[0] * v.x / depth, c[1] - f[1] * v.y / depth];
+        let expected = pixel_of(&camera, p);
+        prop_assert!((0..2).all(|k| (seen[k] - expected[k]).abs() < 1e-5), "{seen:?} {expected:?}\n{code}");
+    }
+
+    #[test]
+    fn no_program_gets_a_smaller_near_than_it_takes((camera, _) in any_shape()) {
+        let code = CodeTarget::Gltf.code(&Setting::new(camera.notes_clip_space(), IMAGE, None), &[]);
+        let value: serde_json::Value = serde_json::from_str(&code).unwrap();
+        let lens = &value["cameras"][0];
+        let near = lens["orthographic"]["znear"].as_f64().or(lens["perspective"]["znear"].as_f64()).unwrap();
+        prop_assert!(near >= 0.0);
+        if near != camera.near() {
+            let matrix: Vec<f64> = value["nodes"][0]["matrix"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+            let back = DVec3::from_slice(&matrix[12..15]) - camera.position();
+            prop_assert!(back.abs_diff_eq(camera.basis().n * (near - camera.near()), 1e-12), "{back}");
+            let said = CodeTarget::Gltf.conventions(&camera);
+            prop_assert!(said.iter().any(|said| matches!(said, CodeConvention::MovedBack(_))));
+        }
+    }
 }
 
 /// Each row of the table of programs is that of its target.
@@ -239,7 +346,7 @@ fn targets_and_programs_have_one_order() {
 #[test]
 fn a_camera_for_unreal_is_read_back_and_keeps_its_up() {
     for (name, camera, _) in cameras() {
-        if CodeTarget::Unreal.limitation(&camera).is_some() {
+        if CodeTarget::Unreal.limitation(&camera, IMAGE).is_some() {
             continue;
         }
         let code = CodeTarget::Unreal.code(&Setting::new(camera.notes_clip_space(), IMAGE, None), &[]);
@@ -356,7 +463,7 @@ proptest! {
         // No program counts F ≤ 0 as the others do.
         prop_assume!(camera.near() > 0.0);
         for target in CodeTarget::ALL {
-            if target != CodeTarget::Latex && target.limitation(&camera).is_none() {
+            if target != CodeTarget::Latex && target.limitation(&camera, IMAGE).is_none() {
                 is_read_back(target, &camera)?;
             }
         }

@@ -107,7 +107,7 @@ fn a_wrong_shape_is_named_with_the_expected_one() {
     }
     let exercise = exercise("basis", 1);
     let ask = exercise.asks.iter().find(|ask| ask.name == "n").unwrap();
-    for answer in ["[0.577,0.577,0.577]^T", "[1,1,1] unit"] {
+    for answer in ["[0.577,0.577,0.577]^2", "[1,1,1] unit"] {
         let error = read_answer(answer, ask, &[]).unwrap_err();
         assert!(said::answer_error(Lang::En, &error).contains("sqrt(3)"), "{answer}: {error:?}");
         assert!(said::answer_error(Lang::PtBr, &error).contains("sqrt(3)"), "{answer}");

@@ -258,6 +258,25 @@ fn a_right_answer_is_right_in_every_notation_and_as_each_language_shows_it() {
     });
 }
 
+/// As copied from notes: a matrix of LaTeX, one that's written transposed, and the minus sign of print in an exponent.
+#[test]
+fn a_right_answer_is_right_as_a_matrix_of_latex_and_transposed() {
+    let latex = |of: &Table| {
+        let row =
+            |row: &[f64]| row.iter().map(|x| format!("{x:.9e}").replace('-', "−")).collect::<Vec<_>>().join(" & ");
+        format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", of.rows().map(row).collect::<Vec<_>>().join(r" \\ "))
+    };
+    all_of(2, |entry, exercise| {
+        for ask in &exercise.asks {
+            let Some(right) = ask.expected().table() else { continue };
+            for text in [latex(&right), format!("{}^T", latex(&right.transposed()))] {
+                let judged = check(entry, exercise, ask, &text).unwrap();
+                assert!(judged.right, "{} seed {} {}: {text}: {judged:?}", entry.id, exercise.seed, ask.name);
+            }
+        }
+    });
+}
+
 #[test]
 fn no_number_that_is_wrong_by_a_third_is_right() {
     let mut tried = 0;

@@ -102,7 +102,9 @@ promises! {
     link "";
     obj "assets/meshes";
     paper "";
+    ply "fuzz/seeds/ply";
     png "";
     raster "";
+    stl "fuzz/seeds/stl";
     texture "fuzz/seeds/texture";
 }

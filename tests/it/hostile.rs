@@ -150,7 +150,7 @@ fn a_mesh_reaches_nothing_outside_of_its_folder_unless_the_user_lets_it() {
 fn a_figure_in_a_picture_reaches_only_the_pictures_folder() {
     let bench = Bench::new("picture-reach");
     std::fs::create_dir(bench.path("inner")).unwrap();
-    bench.write("m.obj", TRIANGLE);
+    bench.write("m.obj", TRIANGLE.replace("usemtl red\n", ""));
     bench.write("figure.toml", meshes(&["\"m.obj\""]));
     bench.run(&["render", "figure.toml", "-o", "inside.png"]).done();
     bench.run(&["render", "inside.png", "-o", "again.png"]).done();

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::camera::{Camera, Convention, Projection};
-use camera_lab::exercises::{self, Expected, Kind};
+use camera_lab::exercises::{self, Expected, ExpectedAnswer, Kind};
 use camera_lab::figure::variation::varied_by;
 use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, WorldPart, read};
@@ -216,6 +216,18 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
                     let right = exercise_sheet::answer(Lang::En, ask);
                     let right = camera_lab_words::learn::exercises::typed_choice(ask, &right).to_owned();
                     assert!(exercises::check(entry, &exercise, ask, &right).unwrap().right, "{place}: {right}");
+                    if ask.places {
+                        assert!((1..=3).contains(&ask.own_mistakes.len()), "{place}: typical wrong marks");
+                        for own in &ask.own_mistakes {
+                            let ExpectedAnswer::Numbers(wrong) = &own.answer else { panic!("{place}: {own:?}") };
+                            let off = 0.3 * ask.tolerance;
+                            let mark = format!("({}, {})", wrong.entries[0] + off, wrong.entries[1] - off);
+                            let judged = exercises::check(entry, &exercise, ask, &mark).unwrap();
+                            assert!(!judged.right, "{place}: {mark}");
+                            let found = judged.diagnosis.and_then(|diagnosis| diagnosis.own);
+                            assert_eq!(found.as_ref(), Some(own), "{place}: {mark}");
+                        }
+                    }
                     let (Expected::Choice(right, ..), Kind::Choice(choices)) = (ask.expected(), &ask.kind) else {
                         continue;
                     };
@@ -244,6 +256,24 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
             }
         }
     }
+}
+
+/// Always to guess the same place gives a third of the points.
+#[test]
+fn right_answers_have_no_favourite_place_among_three() {
+    let mut places = [0_usize; 3];
+    for step in shipped().iter().flat_map(|shipped| &shipped.lesson.steps) {
+        let Some(Task::Question(entry)) = &step.task else { continue };
+        let exercise = entry.exercise(0, &Default::default());
+        let ask = &exercise.asks[0];
+        if let (Expected::Choice(right, ..), Kind::Choice(choices)) = (ask.expected(), &ask.kind)
+            && choices.len() == places.len()
+        {
+            places[*right] += 1;
+        }
+    }
+    let third = places.iter().sum::<usize>() / places.len();
+    assert!(places.iter().all(|place| place.abs_diff(third) <= 3), "{places:?}");
 }
 
 /// It stands in the file once, and the text of one step shows it again.

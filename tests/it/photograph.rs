@@ -153,3 +153,51 @@ fn the_arithmetic_has_the_horizon_and_its_roll() {
     }
     assert!(text(&bench, &[&run[..], &["--lang", "pt-BR"]].concat()).contains("está rolada em"));
 }
+
+/// The marks of a photograph of a corner of a house, for a level camera of 59°. The verticals are drawn by hand.
+const CORNER: [&str; 6] = [
+    "--size",
+    "1920x1080",
+    "--lines",
+    "x: 1440,12 1179,69; 1731,952 1209,854; 1329,86 957,151",
+    "--lines",
+    "z: 120,973 683,802; 366,95 1145,419; 872,116 1167,330",
+];
+
+#[test]
+fn a_figure_that_is_written_can_be_opened_whatever_camera_it_had() {
+    let bench = Bench::new("photograph-openable");
+    for before in [
+        "",
+        "projection = \"parallel\"\nnear = -3\n",
+        "projection = \"parallel\"\nnear = -3\nfar = -1\n",
+        "window = { left = -1, right = 2, bottom = -1, top = 1 }\n",
+        "horizontal_angle = 60\n",
+        "lens = { focal_length = 50, sensor = [36, 24], fit = \"horizontal\" }\n",
+    ] {
+        bench.write("f.toml", format!("[camera]\n{before}"));
+        let written = text(&bench, &[&["photograph", "f.toml"][..], &CORNER].concat());
+        bench.write("g.toml", written);
+        let read = bench.run(&["inspect", "g.toml", "--format", "json"]).json();
+        assert_eq!(read["camera"]["projection"], "perspective", "{before}");
+        let theta = read["camera"]["view_angle"].as_f64().unwrap();
+        assert!((theta - 59.0).abs() < 1.0, "{before}{theta}");
+    }
+}
+
+#[test]
+fn verticals_drawn_by_hand_change_little_and_notices_are_in_both_languages() {
+    let bench = Bench::new("photograph-verticals");
+    bench.write("f.toml", "");
+    let verticals = "y: 1435,829 1447,410; 1447,1054 1478,139; 1250,475 1268,66";
+    let with = [&["photograph", "f.toml", "--format", "json", "--lines", verticals][..], &CORNER].concat();
+    let found = bench.run(&with).json();
+    assert!((found["camera"]["view_angle"].as_f64().unwrap() - 59.0).abs() < 1.0, "{found}");
+    assert_eq!(found["notices"], serde_json::json!([]));
+    let pieces = "y: 100,100 100,200; 100,400 100,700";
+    for (lang, words) in [("en", "pieces of one line"), ("pt-BR", "pedaços de uma só reta")] {
+        let with = ["photograph", "f.toml", "--format", "json", "--lang", lang, "--lines", pieces];
+        let notice = bench.run(&[&with[..], &CORNER].concat()).json()["notices"][0].clone();
+        assert!(notice["code"] == "one-line" && notice["message"].as_str().unwrap().contains(words), "{notice}");
+    }
+}

@@ -92,6 +92,9 @@ pub struct PhotographTool {
     pub length: (WorldAxis, f64),
     /// The line being drawn.
     pub new_line: Option<usize>,
+    /// The axis of the length in the image: the pixel of the origin, the way, and the reach within which a point snaps
+    /// to it, in pixels. Set by [`find_axis`](Self::find_axis) in each frame.
+    pub axis: Option<(DVec2, DVec2, f64)>,
 }
 
 impl Default for PhotographTool {
@@ -102,6 +105,7 @@ impl Default for PhotographTool {
             drawn: Drawn::ALL[0],
             length: (WorldAxis::X, 1.0),
             new_line: None,
+            axis: None,
         }
     }
 }
@@ -118,6 +122,25 @@ impl PhotographTool {
         camera_of_photograph(&self.marks, image, given)
     }
 
+    /// Finds the axis on which the point of the length has to lie.
+    pub fn find_axis(&mut self, image: ImageSize, given: &Parameters, reach: f64) {
+        let axis = self.length.0;
+        self.axis = self.marks.origin.and_then(|origin| {
+            let found =
+                camera_of_photograph(&PhotographMarks { length: None, ..self.marks.clone() }, image, given).ok()?;
+            // Without θ, only its own lines tell where an axis is.
+            let is_known = found.focal_length.is_some() || found.vanishing.iter().any(|point| point.axis == axis);
+            is_known.then(|| (origin, found.way(axis, origin, image), reach))
+        });
+    }
+
+    /// A place, on the axis of the length if it's near.
+    fn snapped(&self, place: DVec2) -> DVec2 {
+        let Some((origin, way, reach)) = self.axis else { return place };
+        let on_axis = origin + way * way.dot(place - origin);
+        if on_axis.distance(place) <= reach { on_axis } else { place }
+    }
+
     /// Closes the tool. The lines stay for the next time.
     pub fn step_back(&mut self) {
         (self.on, self.new_line) = (false, None);
@@ -130,7 +153,7 @@ impl PhotographTool {
 
     /// The grips, with their places in the image.
     pub fn grips(&self) -> Vec<(Grip, DVec2)> {
-        let PhotographMarks { lines, origin, length } = &self.marks;
+        let PhotographMarks { lines, origin, length, .. } = &self.marks;
         let ends = lines.iter().enumerate().flat_map(|(i, line)| [0, 1].map(|end| (Grip::End(i, end), line.ends[end])));
         let origin = origin.map(|at| (Grip::Origin, at));
         let length = length.map(|(_, at, _)| (Grip::Length, at));
@@ -146,7 +169,7 @@ impl PhotographTool {
                 }
             }
             Grip::Origin => self.marks.origin = Some(place),
-            Grip::Length => self.marks.length = Some((self.length.0, place, self.length.1)),
+            Grip::Length => self.marks.length = Some((self.length.0, self.snapped(place), self.length.1)),
         }
     }
 

@@ -439,7 +439,8 @@ impl<'a> Parser<'a> {
             end += 1 + digits(end + 1);
         }
         if matches!(bytes.get(end), Some(b'e' | b'E')) {
-            let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+            let sign = self.rest[end + 1..].chars().next().filter(|c| matches!(c, '+' | '-' | '−'));
+            let sign = sign.map_or(0, char::len_utf8);
             let exponent = digits(end + 1 + sign);
             if exponent > 0 {
                 end += 1 + sign + exponent;
@@ -449,7 +450,7 @@ impl<'a> Parser<'a> {
         let (text, rest) = self.rest.split_at(end);
         self.rest = rest;
         // A point alone lacks digits.
-        let value: Result<f64, _> = text.replace(',', ".").parse();
+        let value: Result<f64, _> = text.replace(',', ".").replace('−', "-").parse();
         let value = value.map_err(|_| self.error(start, ExpressionProblem::Unfinished))?;
         if let Some(c @ ('.' | ',' | '0'..='9')) = self.peek() {
             return Err(self.unexpected(c));

@@ -144,6 +144,10 @@ pub const MAX_TEXTURE_SIDE: u32 = 16_384;
 /// levels of detail, and 270 if a filter mixes two of these, for which they are laid out once more.
 pub const MAX_TEXELS: u64 = 1 << 24;
 
+/// The most pixels of a picture that is halved while it's read, so that it has no more than [`MAX_TEXELS`]: unpacked,
+/// its 3 bytes a pixel take 200 MB for a moment. Other kinds unpack to more, or hold as much again while they're read.
+pub const MAX_HALVED_TEXELS: u64 = 4 * MAX_TEXELS;
+
 /// The most bytes that a texture's file may unpack beside its texels, such as a color profile. A real one takes at most
 /// some megabytes.
 pub const MAX_TEXTURE_METADATA: u64 = 16 << 20;

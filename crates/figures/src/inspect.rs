@@ -1,6 +1,7 @@
 //! Every number of a figure, as the command line prints it and the window shows it.
 
 mod bounds;
+mod pairs;
 pub mod quantity;
 
 use glam::{DMat4, DVec2, DVec3};
@@ -16,6 +17,7 @@ use crate::figure::{Figure, NamedCamera};
 use crate::geometry::Plane;
 use crate::sanitize;
 pub use bounds::{Bounds, Conditions, proved_digits};
+pub use pairs::{LinesReport, PairReport};
 pub use quantity::{BasisReport, LensReport, PlanesReport, PointReport, RayReport, SidesReport, WindowReport};
 
 /// The output of `camera-lab inspect`. The order of the fields is the order of the keys.
@@ -55,6 +57,9 @@ pub struct Report {
     /// `[[cameras]]`. The key is left out if the figure has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub cameras: Vec<NamedCameraReport>,
+    /// The camera with each of `[[cameras]]`. The key is left out if the figure has none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub pairs: Vec<PairReport>,
     /// The requested points.
     pub points: Vec<PointReport>,
     /// The rays through the requested pixels.
@@ -249,17 +254,26 @@ impl Report {
         pixels: &[[i64; 2]],
     ) -> Result<Self, InspectError> {
         let camera = camera_after(&figure.camera, operations, convention)?;
-        let report = Self::of(&camera.notes_clip_space(), figure.image, figure.viewport, points, pixels)?;
-        report.with_cameras(figure, Ndc::default())
+        let space = camera.notes_clip_space();
+        Self::of(&space, figure.image, figure.viewport, points, pixels)?.with_cameras(figure, &space, points)
     }
 
-    /// Adds the other cameras of the figure, in a convention of NDC.
+    /// Adds the other cameras of the figure, in the convention of NDC of its own, and each as a pair with that.
     ///
     /// # Errors
     /// [`InspectError`] if one of them has no matrices in it.
-    pub fn with_cameras(self, figure: &Figure, ndc: Ndc) -> Result<Self, InspectError> {
-        let cameras = figure.cameras.iter().map(|named| NamedCameraReport::new(named, ndc));
-        Ok(Self { cameras: cameras.collect::<Result<_, _>>()?, ..self })
+    pub fn with_cameras(
+        mut self,
+        figure: &Figure,
+        space: &ClipSpace<'_>,
+        points: &[DVec3],
+    ) -> Result<Self, InspectError> {
+        for named in &figure.cameras {
+            self.cameras.push(NamedCameraReport::new(named, space.ndc())?);
+            let there = Camera::new(&named.parameters)?;
+            self.pairs.push(PairReport::new(&named.name, [space.camera(), &there], figure.image, points));
+        }
+        Ok(self)
     }
 
     /// The numbers of a camera in a convention of NDC. Without a viewport it's the whole image, depth 0 … 1.
@@ -300,6 +314,7 @@ impl Report {
             volume_corners: camera.volume_corners().map(three),
             planes: PlanesReport::new(camera),
             cameras: Vec::new(),
+            pairs: Vec::new(),
             points: points
                 .iter()
                 .map(|point| PointReport::new(&clip_space.stations(*point, image, &viewport)))

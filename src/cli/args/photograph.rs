@@ -26,9 +26,14 @@ pub(in crate::cli) struct PhotographArgs {
     /// The pixel of the origin of the world: the direction to C
     #[arg(long, value_name = "I,J", allow_hyphen_values = true)]
     origin: Option<String>,
-    /// The pixel of a point on an axis, and its coordinate: the distance of C. `x: 900,260 2.5`
+    /// The pixel of a point on an axis through the origin, and its coordinate, which is its distance from the origin:
+    /// the distance of C. `x: 900,260 2.5`
     #[arg(long, value_name = "AXIS: I,J LENGTH", allow_hyphen_values = true, requires = "origin")]
     length: Option<String>,
+    /// The pixel in which the axis of the camera goes through the photograph, for one that is cropped; without it, the
+    /// middle
+    #[arg(long, value_name = "I,J", allow_hyphen_values = true)]
+    middle: Option<String>,
     /// The size of the photograph in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(in crate::cli) size: Option<String>,
@@ -47,10 +52,13 @@ impl PhotographArgs {
                 lines_of(text).ok_or_else(|| refused(text, "--lines \"x: 120,300 900,260; 130,700 910,740\""))?,
             );
         }
-        let origin = self.origin.as_deref().map(|text| pixel(text).ok_or_else(|| refused(text, "--origin 512,600")));
+        let point = |text: &Option<String>, example| {
+            text.as_deref().map(|text| pixel(text).ok_or_else(|| refused(text, example))).transpose()
+        };
+        let (origin, middle) = (point(&self.origin, "--origin 512,600")?, point(&self.middle, "--middle 512,384")?);
         let length = self.length.as_deref();
         let length = length.map(|text| length_of(text).ok_or_else(|| refused(text, "--length \"x: 900,260 2.5\"")));
-        Ok(PhotographMarks { lines, origin: origin.transpose()?, length: length.transpose()? })
+        Ok(PhotographMarks { lines, origin, length: length.transpose()?, middle })
     }
 }
 

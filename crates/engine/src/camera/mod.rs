@@ -64,7 +64,7 @@ pub use parameters::{
     CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow, is_infinite_far,
 };
 pub use photograph::{
-    AxisVanishing, PhotographCamera, PhotographError, PhotographLine, PhotographMarks, Untold, WorldAxis,
+    AxisVanishing, Doubt, PhotographCamera, PhotographError, PhotographLine, PhotographMarks, Untold, WorldAxis,
     camera_of_photograph,
 };
 pub use place::Place;

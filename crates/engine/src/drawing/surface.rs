@@ -51,6 +51,8 @@ pub enum Base {
         uv: Vec<[f32; 2]>,
         /// Multiplies the colours of the picture. White leaves them as they are. Its alpha is the opacity.
         tint: Rgba,
+        /// The tint at each vertex in its place, interpolated. Empty means the same everywhere.
+        tints: Vec<Rgba>,
     },
 }
 
@@ -180,8 +182,9 @@ impl Surface {
 
     /// Replaces an opaque picture of one colour by the colour.
     pub fn simplify(&mut self) {
-        if let Base::Texture { image, sampler, tint, .. } = &self.base
+        if let Base::Texture { image, sampler, tint, tints, .. } = &self.base
             && !self.translucent
+            && tints.is_empty()
             && sampler.reveal.is_none()
             && let Some(color) = image.one_color_times(*tint)
         {
@@ -201,7 +204,7 @@ impl Surface {
         match &mut self.base {
             Base::Solid(color) => color.a = 255,
             Base::Faces(colors) | Base::Vertices(colors) => colors.iter_mut().for_each(|color| color.a = 255),
-            Base::Texture { tint, .. } => tint.a = 255,
+            Base::Texture { tint, tints, .. } => tints.iter_mut().chain([tint]).for_each(|tint| tint.a = 255),
         }
     }
 

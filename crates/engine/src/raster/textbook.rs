@@ -259,7 +259,7 @@ fn mix<const N: usize>(shares: [f32; 3], [a, b, c]: [[f32; N]; 3]) -> [f32; N] {
 /// the mipmap whose texels are about as large as the pixel, and mixes those (Williams 1983). `None` if the triangle has
 /// no picture. `[3]` §1.1, step 9
 fn texture(triangle: &Triangle, shares: [f32; 3], w: f32) -> Option<[f32; 4]> {
-    let Base::Texture { image, sampler, uv, tint } = &triangle.surface.base else { return None };
+    let Base::Texture { image, sampler, uv, tint, tints } = &triangle.surface.base else { return None };
     let uv = near_zero(triangle.of(uv)?, sampler);
     let point = mix(shares, uv);
     let at_level = |level: &Level| {
@@ -278,6 +278,11 @@ fn texture(triangle: &Triangle, shares: [f32; 3], w: f32) -> Option<[f32; 4]> {
         if detail > 0.0 && finer < last {
             color = between(color, at_level(&levels[finer + 1]), detail - finer as f32);
         }
+    }
+    if !tints.is_empty() {
+        let tints = triangle.of(tints)?.map(|tint| premultiply(tint).to_le_bytes().map(f32::from));
+        let tint = mix(shares, tints);
+        return Some(from_fn(|k| color[k] * (tint[k] * (1.0 / 255.0))));
     }
     let alpha = f32::from(tint.a) / 255.0;
     let tint = [tint.r, tint.g, tint.b, 255].map(|c| f32::from(c) / 255.0 * alpha);

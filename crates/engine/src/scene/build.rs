@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::import::PartTexture;
 use super::palette::{PALETTE, SceneColors};
-use super::texture::{Alpha, UvMesh, builtin, mapped, split};
+use super::texture::{Alpha, UvMesh, builtin, mapped};
 use super::tree::presets;
 use super::tree::resolve::{Placed, allowed_segments, lights, place};
 use super::{
@@ -135,7 +135,7 @@ impl MeshMaker<'_, '_> {
     }
 
     /// The parts of a mesh file: named after the object, and after themselves if there are several. A colour that
-    /// the figure gives wins over those of the file's materials.
+    /// the figure gives wins over those of the file.
     fn mesh_file(&mut self, scene: &mut Scene, placed: &Placed<'_>, path: &str, color: Rgba) -> Result<(), SceneError> {
         let name = &placed.spec.name;
         let failed = |error| SceneError::Mesh { name: name.clone(), path: path.to_owned(), error };
@@ -156,12 +156,17 @@ impl MeshMaker<'_, '_> {
                     (Arc::clone(&part.mesh), ObjectPaint::Solid(part_color))
                 }
                 Some((image, sampler)) => {
-                    let made = || split(&part.mesh, &part.uv);
+                    let made = || UvMesh::new(&part.mesh, &part.uv, &part.colors);
                     let textured = self.files.textured.entry((path.to_owned(), k)).or_insert_with(made);
                     // The factor of the file's material belongs to its own texture.
                     let is_own = placed.spec.texture.is_none();
                     let tint = placed.color.or(part.color.filter(|_| is_own)).unwrap_or(WHITE);
-                    (Arc::clone(&textured.mesh), painted(image, sampler, &textured.uv, placed, tint))
+                    let has_colors = placed.color.is_none() && is_own;
+                    let tints = if has_colors { Arc::clone(&textured.colors) } else { Arc::default() };
+                    (Arc::clone(&textured.mesh), painted(image, sampler, &textured.uv, placed, (tint, tints)))
+                }
+                None if placed.color.is_none() && !part.colors.is_empty() => {
+                    (Arc::clone(&part.mesh), ObjectPaint::Vertices(Arc::clone(&part.colors)))
                 }
                 None => (Arc::clone(&part.mesh), ObjectPaint::Solid(part_color)),
             };
@@ -254,7 +259,7 @@ impl MeshMaker<'_, '_> {
                 let made = || before.unwrap_or_else(|| mapped(shape, &mesh));
                 let mapped = self.files.mapped.entry(key).or_insert_with(made);
                 let tint = placed.color.unwrap_or(WHITE);
-                (Arc::clone(&mapped.mesh), painted(image, sampler, &mapped.uv, placed, tint))
+                (Arc::clone(&mapped.mesh), painted(image, sampler, &mapped.uv, placed, (tint, Arc::default())))
             }
         };
         scene.objects.push(Object {
@@ -275,7 +280,7 @@ fn painted(
     sampler: Sampler,
     uv: &Arc<Vec<[f32; 2]>>,
     placed: &Placed<'_>,
-    tint: Rgba,
+    (tint, tints): (Rgba, Arc<Vec<Rgba>>),
 ) -> ObjectPaint {
     let scale = placed.spec.texture_scale;
     let uv = if scale == DVec2::ONE {
@@ -285,8 +290,8 @@ fn painted(
         // v is counted from below, where the first repetition begins.
         Arc::new(uv.iter().map(|[u, v]| [u * wide, 1.0 - (1.0 - v) * high]).collect())
     };
-    let translucent = !tint.is_opaque() || !image.is_opaque();
-    ObjectPaint::Texture(Pictured { image, sampler, uv, tint, translucent })
+    let translucent = tints.iter().chain([&tint]).any(|tint| !tint.is_opaque()) || !image.is_opaque();
+    ObjectPaint::Texture(Pictured { image, sampler, uv, tint, tints, translucent })
 }
 
 fn ellipsoid(segments: u32) -> Mesh {

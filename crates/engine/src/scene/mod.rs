@@ -29,7 +29,7 @@ use crate::appearance::{LightShare, LineStyle, MarkShape, Rgba, Role, Sampler, T
 use crate::geometry::Aabb;
 pub use build::{build, build_with};
 pub use error::{SceneError, chain_text};
-pub use import::{GlbFault, GltfFault, JsonFault, MeshError, MeshFiles, MeshNotice, ObjFault};
+pub use import::{GlbFault, GltfFault, JsonFault, MeshError, MeshFault, MeshFiles, MeshNotice};
 pub use mesh::{Adjacency, Mesh, SharedEdge, primitives};
 pub use named_point::ObjectPoint;
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
@@ -208,6 +208,8 @@ pub struct Pictured {
     pub uv: Arc<Vec<[f32; 2]>>,
     /// Multiplies the colours of the picture. White leaves them as they are. Its alpha is the opacity.
     pub tint: Rgba,
+    /// The tint at each vertex in its place. Empty means the same everywhere.
+    pub tints: Arc<Vec<Rgba>>,
     /// Something shows through it.
     pub translucent: bool,
 }
@@ -215,7 +217,7 @@ pub struct Pictured {
 impl Pictured {
     /// The one opaque colour that it has everywhere. `None` if it has several, or something shows through.
     pub fn one_color(&self) -> Option<Rgba> {
-        let is_plain = !self.translucent && self.sampler.reveal.is_none();
+        let is_plain = !self.translucent && self.sampler.reveal.is_none() && self.tints.is_empty();
         is_plain.then(|| self.image.one_color_times(self.tint)).flatten()
     }
 
@@ -226,6 +228,7 @@ impl Pictured {
             sampler: Sampler::PICTURE,
             uv: Arc::new(uv),
             tint: Rgba::rgba(255, 255, 255, opacity),
+            tints: Arc::default(),
             translucent: opacity < 255,
         }
     }

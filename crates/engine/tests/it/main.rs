@@ -12,6 +12,7 @@ mod camera_pixels;
 mod camera_properties;
 mod camera_yaml;
 mod meshes;
+mod meshes_formats;
 mod meshes_gltf;
 mod meshes_obj;
 mod outline;

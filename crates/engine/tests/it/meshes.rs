@@ -72,6 +72,29 @@ v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1
 f 1 5 7 3\nf 2 4 8 6\nf 1 2 6 5\nf 3 7 8 4\nf 1 3 4 2\nf 5 6 8 7
 ";
 
+const STL: &str = "solid a b
+facet normal 0 0 1 outer loop
+vertex 0 0 0\nvertex 1 0 0\nVERTEX 0 1 0
+endloop endfacet endsolid a b\n";
+
+const PLY: &str = "ply
+format FORM 1.0
+comment x
+element vertex 3
+property float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue
+element face 2
+property list uchar int vertex_indices
+element tristrips 1
+property list int int vertex_indices
+end_header
+0 0 0 255 0 0
+1 0 0 0 255 0
+0 1 0 0 0 255
+3 0 1 2
+3 2 1 0
+4 0 1 2 -1
+";
+
 #[test]
 fn a_file_that_many_objects_use_is_read_once_and_kept_between_builds() {
     let mut two = spec("m.obj");
@@ -117,7 +140,7 @@ proptest! {
     fn damaged_files_do_no_harm(
         edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
         cut in any::<prop::sample::Index>(),
-        which in 0..4_usize,
+        which in 0..7_usize,
         cut_it in any::<bool>(),
     ) {
         let (json, bytes) = gltf_sphere("");
@@ -126,6 +149,9 @@ proptest! {
             0 => ("m.obj", obj.into_bytes()),
             1 => ("m.gltf", embedded().into_bytes()),
             2 => ("m.glb", glb(&json, &bytes)),
+            3 => ("m.stl", STL.as_bytes().to_vec()),
+            4 => ("m.ply", PLY.replace("FORM", "ascii").into_bytes()),
+            5 => ("m.ply", [PLY.replace("FORM", "binary_little_endian").as_bytes(), &[1; 80]].concat()),
             _ => ("m.mtl", b"newmtl a\nKd 1 0 0\nd 0.5\nKa 1 1 1\nNs 5\nillum 2\nmap_Kd x.png\n".to_vec()),
         };
         for (at, byte) in edits {

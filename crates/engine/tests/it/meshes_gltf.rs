@@ -255,7 +255,10 @@ fn broken_gltf_files_are_refused_with_the_place() {
             other => panic!("{other:?}"),
         }
     };
-    assert_eq!(changed(4, 1), GlbFault::Version);
+    let mut first = whole.clone();
+    first[4] = 1;
+    let first = load("b.glb", &folder([("b.glb", &first)]));
+    assert_eq!(first, Err(MeshError::Gltf { place: "asset".into(), fault: GltfFault::Version { found: "1".into() } }));
     assert_eq!(changed(16, b'X'), GlbFault::Parts);
     assert_eq!(changed(14, 0xff), GlbFault::End);
     for cut in ["glTF", "glTF\x02\0\0\0\x01\0\0\0", "glTF\x02\0\0\0\x0c\0\0\0"] {

@@ -3,7 +3,7 @@
 
 use camera_lab_engine::appearance::Rgba;
 use camera_lab_engine::limits::MAX_OBJECTS;
-use camera_lab_engine::scene::{MeshError, MeshNotice, ObjFault, ObjectSpec, SceneError, Shape, Wanted, no_files};
+use camera_lab_engine::scene::{MeshError, MeshFault, MeshNotice, ObjectSpec, SceneError, Shape, Wanted, no_files};
 use glam::DVec3;
 
 use super::meshes::{CUBE, area, color, folder, load, load_spec, obj, only, spec};
@@ -130,7 +130,7 @@ fn several_objects_and_materials_become_several_parts() {
     assert_eq!(found.len(), 3);
 
     // Without the library the shape is there all the same. A colour of the figure wins.
-    assert_eq!(load("m.obj", &folder([("m.obj", text.as_bytes())])).unwrap().objects.len(), 2);
+    assert_eq!(load("m.obj", &folder([("m.obj", text.as_bytes())])).unwrap().objects.len(), 3);
     let mut own = spec("d/m.obj");
     own.objects[0].color = Some(Rgba::rgb(1, 2, 3));
     let scene = load_spec(&own, &folder([("d/m.obj", text.as_bytes()), ("d/a.mtl", mtl.as_bytes())])).unwrap();
@@ -153,30 +153,30 @@ fn oddities_of_real_files_are_read() {
 #[test]
 fn broken_obj_files_are_refused_with_the_line() {
     let fault = |text: &str| match obj(text) {
-        Err(MeshError::Obj { line, fault }) => (line, fault),
+        Err(MeshError::Line { line, fault }) => (line, fault),
         other => panic!("{other:?}"),
     };
     let points = "v 0 0 0\nv 1 0 0\n\nv 0 1 0\n";
-    let number = |s: &str| ObjFault::Number { found: s.to_owned() };
+    let number = |s: &str| MeshFault::Number { found: s.to_owned() };
     assert_eq!(fault("v 0 0 0\nv 1 x 0\n"), (2, number("x")));
     assert_eq!(fault("v 0 0 0\n\n# c\nv 1 nan 0\n"), (4, number("nan")));
     assert_eq!(fault("v 0 0 1e999\n"), (1, number("1e999")));
     assert_eq!(fault("v 0 0 0 0\n"), (1, number("0")));
     assert_eq!(fault("v 1 0 0 1e-320\n"), (1, number("1e-320")), "divided by it, the point is nowhere");
-    assert_eq!(fault("v 0 0\n"), (1, ObjFault::Coordinates { found: 2 }));
-    assert_eq!(fault(&format!("{points}f 1 2 3.5\n")), (5, ObjFault::Corner { found: "3.5".into() }));
-    assert_eq!(fault(&format!("{points}f 1 2 3/1/1/1\n")), (5, ObjFault::Corner { found: "3/1/1/1".into() }));
-    assert_eq!(fault(&format!("{points}f 1 2 3/x\n")), (5, ObjFault::Corner { found: "3/x".into() }));
-    assert_eq!(fault(&format!("{points}f 1 2 //3\n")), (5, ObjFault::Corner { found: "//3".into() }));
-    let index = |found: &str| ObjFault::Index { found: found.to_owned(), points: 3 };
+    assert_eq!(fault("v 0 0\n"), (1, MeshFault::Coordinates { found: 2 }));
+    assert_eq!(fault(&format!("{points}f 1 2 3.5\n")), (5, MeshFault::Corner { found: "3.5".into() }));
+    assert_eq!(fault(&format!("{points}f 1 2 3/1/1/1\n")), (5, MeshFault::Corner { found: "3/1/1/1".into() }));
+    assert_eq!(fault(&format!("{points}f 1 2 3/x\n")), (5, MeshFault::Corner { found: "3/x".into() }));
+    assert_eq!(fault(&format!("{points}f 1 2 //3\n")), (5, MeshFault::Corner { found: "//3".into() }));
+    let index = |found: &str| MeshFault::Index { found: found.to_owned(), points: 3 };
     assert_eq!(fault(&format!("{points}f 1 2 0\n")), (5, index("0")));
-    assert_eq!(fault(&format!("{points}f 1 2 -4\nv 1 1 1\n")), (5, ObjFault::Index { found: "-4".into(), points: 3 }));
+    assert_eq!(fault(&format!("{points}f 1 2 -4\nv 1 1 1\n")), (5, MeshFault::Index { found: "-4".into(), points: 3 }));
     assert_eq!(fault(&format!("{points}f 1 2 9\nf 1 2 3\no x\n")), (5, index("9")));
     assert_eq!(fault(&format!("{points}f 1 2 99999999999999999999\n")).0, 5);
 
     assert_eq!(obj(points), Err(MeshError::Empty));
     assert_eq!(obj(""), Err(MeshError::Empty));
-    assert_eq!(load("m.stl", &folder([("m.stl", b"solid")])), Err(MeshError::Format));
+    assert_eq!(load("m.dxf", &folder([("m.dxf", b"solid")])), Err(MeshError::Format));
     assert_eq!(
         load("gone.obj", &folder([])),
         Err(MeshError::Unreadable(Box::new(no_files(Wanted { path: "gone.obj", named_by: None }).unwrap_err())))

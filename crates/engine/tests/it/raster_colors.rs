@@ -99,6 +99,7 @@ fn a_texture_laid_pixel_on_texel_is_itself() {
             sampler: Sampler::PICTURE,
             uv: uv.clone(),
             tint: Rgba::rgb(255, 255, 255),
+            tints: Vec::new(),
         };
         let mut s = surface(corners.clone(), vec![[0, 1, 2], [0, 2, 3]], paint_);
         s.translucent = translucent;
@@ -113,6 +114,27 @@ fn a_texture_laid_pixel_on_texel_is_itself() {
 }
 
 #[test]
+fn a_white_picture_in_tints_shows_the_colours_of_its_vertices() {
+    let image = Arc::new(Texture::flat(2, 2, vec![255; 16]));
+    for alpha in [255, 51] {
+        let colors = vec![Rgba::rgb(255, 0, 0), Rgba::rgba(0, 255, 0, alpha), Rgba::rgb(0, 0, 255)];
+        let painted = |base: Base| {
+            let corners = vec![[1.0, 1.0, 0.5], [39.0, 2.0, 0.4], [3.0, 39.0, 0.1]];
+            let mut s = surface(corners, vec![[0, 1, 2]], base);
+            (s.inverse_w, s.translucent) = (vec![1.0, 0.5, 0.2], alpha < 255);
+            paint(&drawing(40, 40, Samples::One, vec![s]))
+        };
+        let (sampler, uv) = (Sampler::PICTURE, vec![[0.5; 2]; 3]);
+        let plain = painted(Base::Vertices(colors.clone()));
+        let tint = Rgba::rgb(9, 9, 9);
+        let tinted = painted(Base::Texture { image: Arc::clone(&image), sampler, uv, tint, tints: colors });
+        for (a, b) in plain.data().iter().zip(tinted.data()) {
+            assert!(a.abs_diff(*b) <= 1, "{a} {b}");
+        }
+    }
+}
+
+#[test]
 fn a_texture_on_a_slanted_square_converges() {
     // Two columns, black and white: their border is at the middle in space, not on the picture.
     let image = Arc::new(Texture::flat(2, 1, vec![0, 0, 0, 255, 255, 255, 255, 255]));
@@ -121,7 +143,7 @@ fn a_texture_on_a_slanted_square_converges() {
     let mut s = surface(
         corners,
         vec![[0, 1, 2], [0, 2, 3]],
-        Base::Texture { image, sampler: Sampler::PICTURE, uv, tint: Rgba::rgb(255, 255, 255) },
+        Base::Texture { image, sampler: Sampler::PICTURE, uv, tint: Rgba::rgb(255, 255, 255), tints: Vec::new() },
     );
     // Left edge at distance 1, right edge at 2 (half as high): the middle is at x = 60 · (1/2)/(1/2 + 1)… = 40.
     s.inverse_w = vec![1.0, 0.5, 0.5, 1.0];
@@ -165,12 +187,14 @@ fn light_at_each_pixel_is_the_formula_at_that_pixel_on_every_base() {
                 sampler: Sampler::PICTURE,
                 uv: vec![[0.0; 2], [1.0, 0.0], [0.0, 1.0]],
                 tint: Rgba::rgb(255, 255, 255),
+                tints: Vec::new(),
             },
             Base::Texture {
                 image: image(255),
                 sampler: Sampler::PICTURE,
                 uv: vec![[0.5; 2]; 3],
                 tint: Rgba::rgba(255, 255, 255, alpha),
+                tints: Vec::new(),
             },
         ]
     };

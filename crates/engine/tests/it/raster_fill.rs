@@ -453,18 +453,21 @@ fn nonsense_is_left_out_without_harm() {
             sampler: Sampler::PICTURE,
             uv: Vec::new(),
             tint: BLACK.with_alpha(9),
+            tints: Vec::new(),
         },
         Base::Texture {
             image: Arc::new(Texture::flat(9, 9, vec![1; 5])),
             sampler: Sampler::PICTURE,
             uv: vec![[f32::NAN, 1e30]; 4],
             tint: BLACK,
+            tints: vec![BLACK; 2],
         },
         Base::Texture {
             image: Arc::new(Texture::flat(9, 9, vec![1; 5]).with_levels()),
             sampler: Sampler::default(),
             uv: vec![[f32::NAN, f32::INFINITY], [1e30, -1e30], [f32::MAX, f32::MIN], [0.0, -0.0]],
             tint: BLACK,
+            tints: vec![BLACK; 4],
         },
     ];
     let lit = PixelLight { normals: Vec::new(), positions: Vec::new(), lighting: Lighting::default() };

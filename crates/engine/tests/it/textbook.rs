@@ -234,6 +234,7 @@ fn surface(recipe: &Recipe, size: [u32; 2]) -> Surface {
             sampler,
             uv: (0..vertices).map(|_| [random.within(-2.0, 3.0), random.within(-2.0, 3.0)]).collect(),
             tint: random.color(!recipe.translucent),
+            tints: if opaque { Vec::new() } else { (0..vertices).map(|_| random.color(!recipe.translucent)).collect() },
         },
     };
     let mut light_share = |most: f32| [random.within(0.0, most), random.within(0.0, 0.4 * most)];

@@ -100,6 +100,8 @@ pub enum Limitation {
     SymmetricOnly,
     /// It can express perspective only.
     PerspectiveOnly,
+    /// A number of the lens, of the pixels or F is beyond the range that it takes.
+    OutOfRange,
     /// Clipping planes aren't part of it, so F and B stay.
     NoClippingPlanes,
     /// PF isn't part of it, so D stays.

@@ -33,7 +33,7 @@ pub struct Conditions {
 }
 
 /// The parts of a report that have no bounds.
-const WITHOUT: [&str; 5] = ["camera", "lens", "planes", "cameras", "warnings"];
+const WITHOUT: [&str; 6] = ["camera", "lens", "planes", "cameras", "pairs", "warnings"];
 
 fn chain<R: Real>(p: &Parameters, operations: &[Operation], convention: Convention) -> Chain<R> {
     operations.iter().fold(Chain::new(p), |chain, operation| chain.after(operation, convention))

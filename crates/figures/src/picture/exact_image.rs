@@ -119,8 +119,9 @@ impl Overlay {
         for surface in &mut drawing.surfaces {
             let mut base = surface.base.clone();
             match &mut base {
-                Base::Solid(color) | Base::Texture { tint: color, .. } => black(color),
+                Base::Solid(color) => black(color),
                 Base::Faces(colors) | Base::Vertices(colors) => colors.iter_mut().for_each(black),
+                Base::Texture { tint, tints, .. } => tints.iter_mut().chain([tint]).for_each(black),
             }
             surface.repaint(base);
         }
@@ -383,16 +384,28 @@ impl<'a> Rays<'a> {
         let indices = mesh.triangles.get(number)?.map(|i| i as usize);
         let corners = self.tiles.corners(hit.triangle)?;
         let (shares, p) = self.point(hit.triangle, place)?;
+        let is_lit = *lit && !self.lights.is_empty();
+        let mixed = |colors: &[Rgba], shares: [f64; 3]| -> Color {
+            let colors = indices.map(|i| colors.get(i).copied().map_or([0.0; 4], premultiplied));
+            from_fn(|k| (0..3).map(|corner| shares[corner] * colors[corner][k]).sum())
+        };
         let base = match paint {
             ObjectPaint::Solid(color) => premultiplied(*color),
             ObjectPaint::Faces(colors) => premultiplied(*colors.get(number)?),
-            ObjectPaint::Vertices(colors) => {
-                let colors = indices.map(|i| colors.get(i).copied().map_or([0.0; 4], premultiplied));
-                from_fn(|k| (0..3).map(|corner| shares[corner] * colors[corner][k]).sum())
+            // Flat shading gives a face one colour.
+            ObjectPaint::Vertices(colors) if is_lit && self.shading == Shading::Flat => mixed(colors, [1.0 / 3.0; 3]),
+            ObjectPaint::Vertices(colors) => mixed(colors, shares),
+            ObjectPaint::Texture(pictured) => {
+                let texels = self.texels(body, pictured, hit, place)?;
+                let tint = if pictured.tints.is_empty() {
+                    premultiplied(pictured.tint)
+                } else {
+                    mixed(&pictured.tints, shares)
+                };
+                from_fn(|k| texels[k] * (tint[k] / 255.0))
             }
-            ObjectPaint::Texture(pictured) => tinted(self.texels(body, pictured, hit, place)?, pictured.tint),
         };
-        if !lit || self.lights.is_empty() {
+        if !is_lit {
             return Some(base);
         }
         let (normal, at) = if self.shading == Shading::Flat {
@@ -500,12 +513,6 @@ fn textured(pictured: &Pictured, at: [f64; 2], level: f64, is_minified: bool) ->
         color = from_fn(|k| color[k] + weight * texel[k]);
     }
     color
-}
-
-/// A colour of a texture in the tint of its object.
-fn tinted(color: Color, Rgba { r, g, b, a }: Rgba) -> Color {
-    let tint = [r, g, b, 255].map(|channel| f64::from(channel) / 255.0 * (f64::from(a) / 255.0));
-    from_fn(|k| color[k] * tint[k])
 }
 
 /// A premultiplied colour as light, still premultiplied, 0 … 1.

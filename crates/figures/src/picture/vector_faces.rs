@@ -88,7 +88,8 @@ fn has_picture_of(surface: &Surface, other: &Surface) -> bool {
 
 /// True if the triangles of a surface have one colour each, or a picture on them that isn't lit.
 pub(super) fn can_be_written(surface: &Surface) -> bool {
-    !surface.varies() || (surface.is_textured() && surface.light == SurfaceLight::InBase)
+    let has_tints = matches!(&surface.base, Base::Texture { tints, .. } if !tints.is_empty());
+    !surface.varies() || (surface.is_textured() && !has_tints && surface.light == SurfaceLight::InBase)
 }
 
 /// The contour of a polygon.
@@ -355,6 +356,7 @@ mod tests {
             sampler: Sampler::PICTURE,
             uv: vec![[0.0; 2]; 3],
             tint: Rgba::rgb(255, 255, 255),
+            tints: Vec::new(),
         };
         let positions = corners.map(|[x, y]| [x, y, 0.5]).to_vec();
         Surface { base, ..Surface::solid(positions, vec![[0, 1, 2]], Rgba::rgb(0, 0, 0)) }

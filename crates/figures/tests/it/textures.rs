@@ -31,7 +31,7 @@ fn textured(
     sampler: Sampler,
     uv: Vec<[f32; 2]>,
 ) -> Surface {
-    surface(corners, triangles, Base::Texture { image: Arc::clone(image), sampler, uv, tint: WHITE })
+    surface(corners, triangles, Base::Texture { image: Arc::clone(image), sampler, uv, tint: WHITE, tints: Vec::new() })
 }
 
 /// Random triangles, thin ones among them, seen under perspectives in which w differs by up to a factor 10⁴: every
@@ -290,6 +290,21 @@ fn an_obj_has_the_texture_of_its_material_the_right_way_up() {
     for (p, uv) in mesh.positions.iter().zip(pictured.uv.iter()) {
         assert_eq!([f64::from(uv[0]), f64::from(1.0 - uv[1])], [p.x, p.y], "v goes up in the file");
     }
+    assert!(pictured.tints.is_empty());
+    // Colours of vertices stand in place of the material's, under the picture too. One of the figure wins.
+    let colored = OBJ.replacen("v 0 0 0", "v 0 0 0 1 0 0", 1);
+    let with_color = |color: &str| {
+        let files: [(&str, &[u8]); 3] =
+            [("o/q.obj", colored.as_bytes()), ("o/m.mtl", mtl), ("o/my picture.png", &png(2, 2))];
+        let ObjectPaint::Texture(pictured) = built(&format!("{figure}{color}"), &files).objects[0].paint.clone() else {
+            panic!("no texture")
+        };
+        (pictured.tint, Vec::clone(&pictured.tints))
+    };
+    let mut tints = vec![WHITE; 4];
+    tints[0] = Rgba::rgb(255, 0, 0);
+    assert_eq!(with_color("").1, tints);
+    assert_eq!(with_color("color = \"#010203\"\n"), (Rgba::rgb(1, 2, 3), Vec::new()));
     // Another texture, none, and one that the mesh has no coordinates for.
     let with = |texture: &str, obj: &str| {
         let figure = format!("{figure}texture = \"{texture}\"\ntexture_scale = [2, 3]\n");

@@ -1,5 +1,7 @@
 //! Answers as students type them: `1/sqrt(3)`, `[1, 0, 0]`, `[[1; 0]; [0; 1]]`, a choice, `key=value; …` of `[camera]`.
 
+use std::borrow::Cow;
+
 use super::exercise::{Ask, Kind, Unit};
 use crate::camera::Parameters;
 use crate::expression::{self, Dimension, ExpressionError, ExpressionProblem};
@@ -73,7 +75,7 @@ pub enum AnswerError {
     #[error("{0:?} is not KEY=VALUE")]
     Pair(String),
     /// No parameter of a camera.
-    #[error("{0:?} begins with no parameter of a camera; allowed: C, PF, VUP, projection, θ, H, A, F, B, window")]
+    #[error("{0:?} begins with no parameter of a camera; allowed: C, PF, VUP, projection, θ, W, H, A, F, B, window")]
     Parameter(String),
     /// Not a camera.
     #[error("{0}")]
@@ -122,6 +124,8 @@ fn numbers(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, Answe
     let dimension = if ask.unit == Unit::Degrees { Dimension::Angle } else { Dimension::Number };
     let is_matrix = matches!(ask.kind, Kind::Matrix(..));
     let number = |text: &str| expression::evaluate_with(text, dimension, names);
+    let (text, is_turned) = from_latex(text);
+    let text = text.trim();
     let product = if ask.kind == Kind::Number { None } else { without_factor(text, number) };
     let (text, factor) = product.unwrap_or((text, 1.0));
     let [asked_rows, asked_columns] = ask.shape();
@@ -148,6 +152,10 @@ fn numbers(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, Answe
         }
     }
     let (rows, columns) = (cells.len(), first);
+    if is_turned && rows > 1 && columns > 1 {
+        let entries = (0..entries.len()).map(|k| entries[k % rows * columns + k / rows]).collect();
+        return Ok(Answer::Numbers { rows: columns, columns: rows, entries });
+    }
     // A student may type a vector as a row or as a column.
     let lies = !is_matrix && rows == 1;
     Ok(if lies {
@@ -155,6 +163,24 @@ fn numbers(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, Answe
     } else {
         Answer::Numbers { rows, columns, entries }
     })
+}
+
+/// A matrix of LaTeX, `\begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix}`, in brackets, and true if it's to be transposed,
+/// `[…]^T`. Other texts stay.
+fn from_latex(text: &str) -> (Cow<'_, str>, bool) {
+    const TURNED: [&str; 6] = ["^T", "^{T}", r"^\top", r"^{\top}", "^t", "ᵀ"];
+    let closes = |rest: &&str| rest.trim_end().ends_with([']', ')', '}']);
+    let turned = TURNED.iter().find_map(|mark| text.trim_end().strip_suffix(mark)).filter(closes);
+    let (text, is_turned) = turned.map_or((text, false), |rest| (rest.trim_end(), true));
+    let matrix = || {
+        let (before, rest) = text.split_once(r"\begin{")?;
+        let (kind, rest) = rest.split_once('}')?;
+        let (rows, after) = rest.split_once(&format!(r"\end{{{kind}}}"))?;
+        let rows = rows.split(r"\\").map(str::trim).filter(|row| !row.is_empty());
+        let rows: Vec<String> = rows.map(|row| format!("[{}]", row.replace('&', ";"))).collect();
+        kind.ends_with("matrix").then(|| format!("{before}[{}]{after}", rows.join(", ")))
+    };
+    (matrix().map_or(Cow::Borrowed(text), Cow::Owned), is_turned)
 }
 
 /// The numbers of a row if only blanks separate them; `None` for other rows.
@@ -330,12 +356,28 @@ const WORDS: [(&str, &str); 3] =
 fn camera(text: &str) -> Result<Parameters, AnswerError> {
     let mut toml = String::from("[camera]\n");
     let pairs = text.lines().flat_map(|line| top_level(line, ';')).flat_map(between_commas);
-    for pair in pairs.filter(|pair| !pair.is_empty() && *pair != "[camera]") {
-        let pair_error = || AnswerError::Pair(pair.to_owned());
+    let pairs: Vec<&str> = pairs.filter(|pair| !pair.is_empty() && *pair != "[camera]").collect();
+    let given = |names: &[&str]| {
+        let mut named = pairs.iter().filter_map(|pair| pair.split_once('='));
+        named.find(|(name, _)| names.contains(&&*name.trim().to_lowercase())).map(|(_, value)| value.trim())
+    };
+    for pair in &pairs {
+        let pair_error = || AnswerError::Pair((*pair).to_owned());
         let (name, value) = pair.split_once('=').ok_or_else(pair_error)?;
         let name = name.trim().to_lowercase();
+        // W = A H (5.1) tells the one that's missing.
+        if ["w", "width", "largura"].contains(&&*name) {
+            let [height, aspect] = [5, 6].map(|k: usize| given(PARAMETERS[k].0));
+            let line = match (height, aspect) {
+                (None, aspect) => toml_value(&format!("({value})/({})", aspect.unwrap_or("4/3"))),
+                // With A as well, the key is there twice, and the message says so.
+                (Some(height), _) => toml_value(&format!("({value})/({height})")),
+            };
+            toml.push_str(&format!("{} = {line}\n", if height.is_none() { "height" } else { "aspect" }));
+            continue;
+        }
         let known = PARAMETERS.iter().find(|(names, _)| names.contains(&name.as_str()));
-        let (_, key) = known.ok_or_else(|| AnswerError::Parameter(pair.to_owned()))?;
+        let (_, key) = known.ok_or_else(|| AnswerError::Parameter((*pair).to_owned()))?;
         let value = value.trim();
         let sides = if *key == "window" { sides(value) } else { None };
         toml.push_str(&format!("{key} = {}\n", sides.unwrap_or_else(|| toml_value(value))));

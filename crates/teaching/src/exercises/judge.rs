@@ -186,16 +186,23 @@ fn same_volume(a: &Camera, b: &Camera) -> bool {
 }
 
 impl Ask {
-    /// The expected wrong answer that this one equals.
+    /// The expected wrong answer that this one equals. Of marks, the nearest, if it's nearer than the right place.
     fn own_mistake(&self, answer: &Answer) -> Option<Arc<OwnMistake>> {
-        let is = |own: &&Arc<OwnMistake>| match (&own.answer, answer) {
-            (ExpectedAnswer::Choice(wrong), Answer::Choice(chosen)) => wrong == chosen,
-            (ExpectedAnswer::Numbers(wrong), Answer::Numbers { rows, columns, entries }) => {
-                [*rows, *columns] == wrong.shape()
-                    && entries.iter().zip(&wrong.entries).all(|(given, wrong)| self.accepts(*given, *wrong))
-            }
-            _ => false,
+        let away = |entries: &[Option<f64>], from: &Table| -> f64 {
+            entries.iter().zip(&from.entries).map(|(given, of)| (given.unwrap_or(f64::NAN) - of).powi(2)).sum()
         };
-        self.own_mistakes.iter().find(is).cloned()
+        let off = |own: &Arc<OwnMistake>| match (&own.answer, answer) {
+            (ExpectedAnswer::Choice(wrong), Answer::Choice(chosen)) => (wrong == chosen).then_some(0.0),
+            (ExpectedAnswer::Numbers(wrong), Answer::Numbers { rows, columns, entries }) => {
+                let is_it = [*rows, *columns] == wrong.shape()
+                    && entries.iter().zip(&wrong.entries).all(|(given, wrong)| self.accepts(*given, *wrong));
+                let right = self.expected().table().filter(|_| self.places);
+                let off = is_it.then(|| if self.places { away(entries, wrong) } else { 0.0 })?;
+                right.is_none_or(|right| off < away(entries, &right)).then_some(off)
+            }
+            _ => None,
+        };
+        let found = self.own_mistakes.iter().filter_map(|own| Some((off(own)?, own)));
+        found.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, own)| Arc::clone(own))
     }
 }

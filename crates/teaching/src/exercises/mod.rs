@@ -17,7 +17,7 @@ mod operated;
 pub mod own;
 mod own_numbers;
 mod own_texts;
-mod place;
+pub(crate) mod place;
 mod placing;
 mod products;
 mod progress;

@@ -258,7 +258,7 @@ fn ask(
         (ask.tolerance, ask.share) = (tolerance, f64::INFINITY);
     }
     for section in mistakes {
-        let own = own_mistake(section, &ask, faults);
+        let own = own_mistake(section, &ask, subjects, faults);
         ask.own_mistakes.extend(own.map(Arc::new));
     }
     texts.asks.insert(name, text);
@@ -347,13 +347,24 @@ fn given(section: &mut Section<'_>, choices: &[String], unit: Option<Unit>) -> O
     found.map(ExpectedAnswer::Choice)
 }
 
-fn own_mistake(mut section: Section<'_>, ask: &Ask, faults: &mut Vec<Fault>) -> Option<OwnMistake> {
+fn own_mistake(
+    mut section: Section<'_>,
+    ask: &Ask,
+    [told_of, subject]: [&Subject; 2],
+    faults: &mut Vec<Fault>,
+) -> Option<OwnMistake> {
     let choices = match &ask.kind {
         Kind::Choice(choices) => choices.clone(),
         _ => Vec::new(),
     };
-    section.require("answer", if choices.is_empty() { Allowed::Numbers } else { Allowed::Choice(choices.clone()) });
-    let answer = given(&mut section, &choices, Some(ask.unit));
+    let key = if ask.places && section.is_present("place") { "place" } else { "answer" };
+    let answer = if key == "place" {
+        place::mistaken(&mut section, told_of, subject).map(ExpectedAnswer::Numbers)
+    } else {
+        let allowed = if choices.is_empty() { Allowed::Numbers } else { Allowed::Choice(choices.clone()) };
+        section.require("answer", allowed);
+        given(&mut section, &choices, Some(ask.unit))
+    };
     let is_right = match (&answer, ask.expected()) {
         (Some(ExpectedAnswer::Choice(wrong)), Expected::Choice(right, ..)) => wrong == right,
         (Some(ExpectedAnswer::Numbers(wrong)), expected) => expected.table().is_some_and(|right| {
@@ -363,7 +374,7 @@ fn own_mistake(mut section: Section<'_>, ask: &Ask, faults: &mut Vec<Fault>) -> 
         _ => false,
     };
     if is_right {
-        section.refuse("answer", Allowed::WrongAnswer);
+        section.refuse(key, Allowed::WrongAnswer);
     }
     let message = told(&mut section, "message");
     let hints = if section.is_list("hint") {

@@ -6,10 +6,11 @@ use super::exercise::{Ask, Kind, Unit};
 use super::mistakes::slip::Slips;
 use super::subject::Subject;
 use super::value::Table;
-use crate::camera::{Place, Viewport};
+use crate::camera::{Camera, Convention, Place, Viewport};
 use crate::figure::error::Allowed;
 use crate::figure::read::Section;
 use crate::figure::value::{PIXEL_OF_IMAGE, TEXT, VECTOR};
+use crate::figure::variation::varied_by;
 use crate::scene::ObjectPoint;
 
 /// The ways to give a point in a table. Each is the key of its value.
@@ -25,23 +26,51 @@ pub(super) fn asked(section: &mut Section<'_>, name: &str, told: &Subject, subje
         }
         section.skip(key);
     }
-    let before = section.faults.len();
-    let place = place(section, told, subject);
+    let table = in_image(section, told, subject)?;
     let image = subject.figure.image;
     let sides = [image.width, image.height].map(f64::from);
-    let is_inside = |place: &[f64; 2]| place.iter().zip(sides).all(|(at, side)| (0.0..=side).contains(at));
-    let Some(place) = place.filter(is_inside) else {
-        if section.faults.len() == before {
-            section.refuse("place", Allowed::PointInImage);
-        }
-        return None;
-    };
-    let table = Table { rows: 2, columns: 1, entries: place.to_vec() };
     let ask =
         Ask::computed(name, Kind::Vector(2), Vec::new(), move |slips| (slips == Slips::NONE).then(|| table.clone()));
     // A twentieth of the image is accurate enough for the eye.
     let tolerance = (sides[0].min(sides[1]) / 20.0).round().max(1.0);
     Some(Ask { places: true, unit: Unit::Pixels, tolerance, share: f64::INFINITY, ..ask })
+}
+
+/// A wrong place that somebody expects: of another point, or with `see`, in the image after other operations and
+/// values of keys than those of the question. An empty list is the image before them. `None`, and a fault, if that
+/// image doesn't have the point.
+pub(super) fn mistaken(section: &mut Section<'_>, told: &Subject, subject: &Subject) -> Option<Table> {
+    if !section.is_present("see") {
+        return in_image(section, told, subject);
+    }
+    let changes = section.list("see", Allowed::Ways, way);
+    let changes: Vec<(&str, &str)> = changes.iter().map(|(key, value)| (&**key, &**value)).collect();
+    let camera = Camera::new(&told.figure.camera).ok()?;
+    let Ok(seen) = varied_by(&told.figure, &camera, &changes, Convention::RightHand) else {
+        section.refuse("see", Allowed::Ways);
+        return None;
+    };
+    in_image(section, told, &Subject { figure: seen.figure, ..told.clone() })
+}
+
+/// `key=value`.
+pub(crate) fn way(text: &str) -> Option<(String, String)> {
+    let (key, value) = text.split_once('=')?;
+    Some((key.trim().to_owned(), value.trim().to_owned()))
+}
+
+/// The place in the image of a subject; `None`, and a fault, if the image doesn't have it.
+fn in_image(section: &mut Section<'_>, told: &Subject, subject: &Subject) -> Option<Table> {
+    let before = section.faults.len();
+    let place = place(section, told, subject);
+    let image = subject.figure.image;
+    let sides = [image.width, image.height].map(f64::from);
+    let is_inside = |place: &[f64; 2]| place.iter().zip(sides).all(|(at, side)| (0.0..=side).contains(at));
+    let inside = place.filter(is_inside);
+    if inside.is_none() && section.faults.len() == before {
+        section.refuse("place", Allowed::PointInImage);
+    }
+    inside.map(|place| Table { rows: 2, columns: 1, entries: place.to_vec() })
 }
 
 /// The place in pixels from the left edge and from the upper one.

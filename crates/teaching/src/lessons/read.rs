@@ -8,6 +8,7 @@ use super::lesson::{Lesson, Link, Question, See, Step, Task};
 use super::numbers_in_texts::{filled, numbers_of, pixels_of, with_sentence};
 use crate::camera::Camera;
 use crate::exercises::own::{bilingual_list, harmless, name, question, told};
+use crate::exercises::place::way;
 use crate::exercises::{self, Entry, Kind, Subject};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{Fault, Section, Stacked, at_most, parse_with, text_of};
@@ -159,12 +160,6 @@ fn see(section: &mut Section<'_>, figure: &Figure) -> See {
     }
     section.refuse("see", Allowed::Seen);
     See::Nothing
-}
-
-/// `key=value`.
-fn way(text: &str) -> Option<(String, String)> {
-    let (key, value) = text.split_once('=')?;
-    Some((key.trim().to_owned(), value.trim().to_owned()))
 }
 
 /// A text with the numbers of a figure, and with a sentence that may stand in it. Without a report they aren't checked.

@@ -376,7 +376,7 @@ pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
 }
 
 /// The names that an answer uses for the parameters of a camera.
-const CAMERA_NAMES: &str = "C, PF, VUP, projection, θ, H, A, F, B, window";
+const CAMERA_NAMES: &str = "C, PF, VUP, projection, θ, W, H, A, F, B, window";
 
 /// The reason why an answer can't be read.
 pub fn answer_error(lang: Lang, error: &AnswerError) -> String {

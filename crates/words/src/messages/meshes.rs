@@ -3,19 +3,21 @@
 use super::unreadable::{read_problem, unreadable};
 use crate::Lang;
 
-use crate::limits::{MAX_OBJECTS, MAX_TEXELS, MAX_TEXTURE_SIDE};
-use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault, TextureError, TextureFault};
+use crate::limits::{MAX_HALVED_TEXELS, MAX_OBJECTS, MAX_TEXELS, MAX_TEXTURE_SIDE};
+use crate::scene::import::mesh_endings;
+use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshFault, MeshNotice, TextureError, TextureFault};
 
 /// The reason why a mesh file can't be used. In English, the error's own words.
 pub(crate) fn mesh(lang: Lang, error: &MeshError) -> String {
     translated! { lang, error;
         MeshError::Unreadable(error) => "{}" (unreadable(lang, error));
-        MeshError::Format => "o formato não é conhecido; permitido: um nome que termine com .obj, .gltf ou .glb";
+        MeshError::Format => "o formato não é conhecido; permitido: um nome que termine com um destes: {}" (mesh_endings());
         MeshError::Cancelled => "a leitura foi cancelada";
         MeshError::Empty => "não há nenhuma face nele";
         MeshError::TooLarge => "ele tem vértices demais";
         MeshError::TooManyObjects => "ele tem objetos demais; permitido: no máximo {MAX_OBJECTS}";
-        MeshError::Obj { line, fault } => "linha {line}: {}" (obj_in_portuguese(fault));
+        MeshError::Line { line, fault } => "linha {line}: {}" (fault_in_portuguese(fault));
+        MeshError::Byte { byte, fault } => "byte {byte}: {}" (fault_in_portuguese(fault));
         MeshError::Json { line, column, fault } => "linha {line}, coluna {column}: {}" (json_in_portuguese(fault));
         MeshError::Gltf { place, fault } if place.is_empty() => "{}" (gltf_in_portuguese(fault));
         MeshError::Gltf { place, fault } => "{place}: {}" (gltf_in_portuguese(fault));
@@ -27,6 +29,9 @@ pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
     translated! { lang, notice;
         MeshNotice::IndexIgnored { line, found } =>
             "linha {line}: \"{found}\" indica uma normal ou coordenada de textura que não existe, e índices assim são ignorados";
+        MeshNotice::LeftOut { entries } => "fica de fora, pois este programa não usa isso: {entries}";
+        MeshNotice::NoMaterial { material, count } =>
+            "nenhuma biblioteca do arquivo tem {count} dos materiais usados, como \"{material}\", e suas faces têm a cor do objeto";
         MeshNotice::FacesSkipped { line, found, count: 1 } =>
             "linha {line}: uma face com {found} vértices; ela fica de fora";
         MeshNotice::FacesSkipped { line, found, count } =>
@@ -49,7 +54,7 @@ fn texture_in_portuguese(TextureError { file, fault }: &TextureError) -> String 
         TextureFault::Format => "não é uma imagem conhecida; permitido: PNG, JPEG e WebP".to_owned(),
         TextureFault::Damaged => "está danificada ou incompleta".to_owned(),
         TextureFault::TooLarge { width, height } => format!(
-            "tem {width} × {height} pixels; permitido: no máximo {MAX_TEXTURE_SIDE} de cada lado e {MAX_TEXELS} ao todo"
+            "tem {width} × {height} pixels; permitido: no máximo {MAX_TEXTURE_SIDE} de cada lado e {MAX_TEXELS} ao todo, ou {MAX_HALVED_TEXELS} em um arquivo JPEG que não seja progressivo e em um PNG de 8 bits sem transparência, que são reduzidos à metade"
         ),
         TextureFault::Budget => {
             format!("ficou de fora, pois com ela as texturas desta figura teriam mais de {MAX_TEXELS} pixels")
@@ -59,14 +64,20 @@ fn texture_in_portuguese(TextureError { file, fault }: &TextureError) -> String 
     format!("{file} {why}")
 }
 
-fn obj_in_portuguese(fault: &ObjFault) -> String {
+fn fault_in_portuguese(fault: &MeshFault) -> String {
     match fault {
-        ObjFault::Number { found } => format!("\"{found}\" não é um número finito"),
-        ObjFault::Coordinates { found } => format!("há {found} coordenadas, e são necessárias 3"),
-        ObjFault::Corner { found } => {
+        MeshFault::Number { found } => format!("\"{found}\" não é um número finito"),
+        MeshFault::Coordinates { found } => format!("há {found} coordenadas, e são necessárias 3"),
+        MeshFault::Corner { found } => {
             format!("\"{found}\" não é um vértice de face. Escreva v, v/vt, v//vn ou v/vt/vn com números inteiros")
         }
-        ObjFault::Index { found, points } => {
+        MeshFault::Word { found, allowed } => format!("\"{found}\" não pode estar aqui; permitido: {allowed}"),
+        MeshFault::Missing { word } => format!("falta \"{word}\""),
+        MeshFault::End => "o arquivo termina aqui, antes do fim".to_owned(),
+        MeshFault::Length { triangles, needed, found } => {
+            format!("{triangles} triângulos precisam de {needed} bytes, mas o arquivo tem {found}")
+        }
+        MeshFault::Index { found, points } => {
             format!("\"{found}\" indica um ponto que não existe. Há {points} pontos")
         }
         other => other.to_string(),
@@ -86,7 +97,6 @@ fn json_in_portuguese(fault: &JsonFault) -> String {
 fn glb_in_portuguese(fault: GlbFault) -> String {
     match fault {
         GlbFault::Header => "seu cabeçalho está cortado ou dá um comprimento errado".to_owned(),
-        GlbFault::Version => "sua versão não é 2".to_owned(),
         GlbFault::End => "termina antes do fim".to_owned(),
         GlbFault::Parts => "suas partes não são as de um arquivo GLB".to_owned(),
         other => other.to_string(),
@@ -98,6 +108,9 @@ fn gltf_in_portuguese(fault: &GltfFault) -> String {
         GltfFault::File { uri, error } => format!("\"{uri}\": {}", unreadable(Lang::PtBr, error)),
         GltfFault::Container { fault } => format!("o arquivo GLB não é válido: {}", glb_in_portuguese(*fault)),
         GltfFault::Version { found } => format!("isto é glTF {found}; permitido: 2.0"),
+        GltfFault::Extension { found } => {
+            format!("o arquivo precisa de {found}, que este programa não lê; salve-o sem isso")
+        }
         GltfFault::Value => "um valor que o glTF não permite".to_owned(),
         GltfFault::Missing => "está faltando".to_owned(),
         GltfFault::Reference => "indica algo que não existe".to_owned(),

@@ -26,6 +26,7 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> String {
     let text = match limitation {
         Limitation::SymmetricOnly => text!(lang, limitation_symmetric_only),
         Limitation::PerspectiveOnly => text!(lang, limitation_perspective_only),
+        Limitation::OutOfRange => text!(lang, limitation_out_of_range),
         Limitation::NoClippingPlanes => text!(lang, limitation_no_clipping_planes),
         Limitation::NoFocalPoint => text!(lang, limitation_no_focal_point),
         Limitation::ViewPlaneIsNear => text!(lang, limitation_view_plane_is_near),

@@ -90,6 +90,10 @@ pub mod code {
                 text!(lang, convention_axes, name, camera, world)
             }
             CodeConvention::Centimetres => text!(lang, convention_centimetres).to_owned(),
+            CodeConvention::MovedBack(back) => {
+                let back = lang.mark().number(back, 6);
+                text!(lang, convention_moved_back, name, back)
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! The camera of a photograph: its arithmetic, its errors, and the numbers that it can't give.
 
-use crate::camera::{AxisVanishing, PhotographCamera, PhotographError, Untold};
+use crate::camera::{AxisVanishing, Doubt, PhotographCamera, PhotographError, Untold};
 use crate::messages::camera as camera_error;
 use crate::sanitize::escaped;
 
@@ -24,17 +24,28 @@ pub fn error(lang: Lang, error: &PhotographError) -> String {
             let axis = axis.name();
             text!(lang, error_one_line, axis)
         }
-        PhotographError::NotAtRightAngles(a, b) => {
-            let (a, b) = (a.name(), b.name());
-            text!(lang, error_not_at_right_angles, a, b)
+        PhotographError::NotAtRightAngles(a, b, angles) => {
+            let ((a, b), [angle, theta]) = ((a.name(), b.name()), angles.map(|angle| lang.mark().number(angle, 3)));
+            text!(lang, error_not_at_right_angles, a, b, angle, theta)
+        }
+        PhotographError::OffMiddle(middle) => {
+            let middle = doubt(lang, middle, true);
+            text!(lang, error_off_middle, middle)
         }
         PhotographError::SameDirection(a, b) => {
             let (a, b) = (a.name(), b.name());
             text!(lang, error_same_direction, a, b)
         }
         PhotographError::Impossible(error) => camera_error(lang, error),
-        PhotographError::LeftHanded => text!(lang, error_left_handed).to_owned(),
+        PhotographError::BesideAxis(axis, pixels) => {
+            let (axis, pixels) = (axis.name(), lang.mark().number(*pixels, 3));
+            text!(lang, error_beside_axis, axis, pixels)
+        }
         PhotographError::Length => text!(lang, error_length).to_owned(),
+        PhotographError::LengthAtAngle(theta) => {
+            let theta = lang.mark().number(*theta, DIGITS);
+            text!(lang, error_length_at_angle, theta)
+        }
         other => other.to_string(),
     }
 }
@@ -46,6 +57,36 @@ pub fn untold(lang: Lang, untold: Untold) -> &'static str {
         Untold::Position => text!(lang, untold_position),
         Untold::Distance => text!(lang, untold_distance),
     }
+}
+
+/// A contradiction in the marks. `is_told`: θ is known.
+pub fn doubt(lang: Lang, doubt: &Doubt, is_told: bool) -> String {
+    match doubt {
+        Doubt::OneLine(axis) => {
+            let axis = axis.name();
+            text!(lang, doubt_one_line, axis)
+        }
+        Doubt::Angle(a, b, angle) => {
+            let (a, b, angle) = (a.name(), b.name(), lang.mark().number(*angle, 3));
+            if is_told { text!(lang, doubt_left_out, a, b, angle) } else { text!(lang, doubt_angle, a, b, angle) }
+        }
+        Doubt::Turned(axis) => {
+            let axis = axis.name();
+            text!(lang, doubt_turned, axis)
+        }
+        Doubt::UpsideDown => text!(lang, doubt_upside_down).to_owned(),
+        Doubt::Middle { pixel, offset, error } => {
+            let pixel = pixel.to_array().map(f64::round);
+            let pixel = lang.mark().tuple(&pixel, DIGITS);
+            let [offset, error] = [offset, error].map(|length| lang.mark().number(*length, 2));
+            text!(lang, doubt_middle, pixel, offset, error)
+        }
+    }
+}
+
+/// The contradictions of a camera, one sentence or two each.
+pub fn doubts(lang: Lang, found: &PhotographCamera) -> impl Iterator<Item = String> {
+    found.doubts.iter().map(move |one| doubt(lang, one, found.focal_length.is_some()))
 }
 
 /// The steps from the lines to the camera, one sentence each.

@@ -33,6 +33,7 @@ pub fn why_not(lang: Lang, why: WhyNot) -> String {
         WhyNot::Look => text!(lang, look).to_owned(),
         WhyNot::Preset => text!(lang, preset).to_owned(),
         WhyNot::Magnified => text!(lang, magnified).to_owned(),
+        WhyNot::FewFills(share) => text!(lang, few_fills, saved = percent(lang, share)),
     }
 }
 

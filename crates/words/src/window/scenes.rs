@@ -1,5 +1,6 @@
 //! The words of the scene: its tree, its objects and lights.
 
+use crate::scene::import::mesh_endings;
 use crate::scene::{LightKind, LostFeature, Preset, Shape};
 
 texts!("window/scenes");
@@ -31,6 +32,13 @@ impl Texts {
             LightKind::Point => self.point,
         }
     }
+}
+
+texts_with_values! {
+    /// The hint at the field for the path of a mesh file.
+    path_hint(lang): (endings = mesh_endings());
+    /// The name of mesh files in a dialog for files.
+    mesh_filter(lang): (endings = mesh_endings());
 }
 
 /// The displayed name of an object of a named scene. Figure files have the name itself.

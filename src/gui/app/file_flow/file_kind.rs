@@ -108,7 +108,7 @@ impl FileKind {
                 new_file(exercises.export_title, filters, exercises.progress_file.to_owned())
             }
             Purpose::For(FileFor::Mesh(_)) => {
-                file(scene.mesh_title, scene.mesh_action, scene.mesh_filter, MESH_ENDINGS)
+                file(scene.mesh_title, scene.mesh_action, &scenes::mesh_filter(lang), MESH_ENDINGS)
             }
             Purpose::For(FileFor::Texture(_)) => {
                 file(scene.texture_title, scene.texture_action, scene.texture_filter, TEXTURE_ENDINGS)

@@ -332,7 +332,7 @@ fn point_list(
 
 fn mesh_file(ui: &mut egui::Ui, model: &mut Model, t: &Texts, owner: &str, path: &mut String) {
     let browse = Action::File(FileFor::Mesh(MeshFor::Object(owner.to_owned())));
-    file_row(ui, model, (owner, "path"), [t.path, t.path_hint], path, browse);
+    file_row(ui, model, (owner, "path"), [t.path, &scenes::path_hint(t.lang)], path, browse);
     let problem = model.scene_cache.problem_of(owner);
     let unread = model.scene_cache.unread_of(owner);
     let mut is_outside = matches!(&problem, Some(SceneError::Mesh { error, .. }) if error.is_outside());

@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
-use crate::camera::{Camera, PhotographCamera, WorldAxis};
+use crate::camera::{Camera, Doubt, PhotographCamera, PhotographError, WorldAxis};
 use crate::gui::kit::{Explained, NumberField, Step};
 use crate::gui::views::{Canvas, Pane};
 use camera_lab_desk::{Drawn, Model};
@@ -37,6 +37,7 @@ impl Canvas {
                     ui.add(egui::Label::new(RichText::new(reason).weak()).wrap());
                 }
             });
+            middle(ui, model, t, &found);
             ui.horizontal_wrapped(|ui| {
                 let take = ui.add_enabled(found.is_ok(), Button::new(t.take)).explained(t.take_hint);
                 if let Ok(found) = found
@@ -110,14 +111,34 @@ fn length(ui: &mut Ui, model: &mut Model, t: &Texts) {
     }
 }
 
+/// The buttons that take the middle of the lens which the lines give, and that of the image again.
+fn middle(ui: &mut Ui, model: &mut Model, t: &Texts, found: &Result<PhotographCamera, PhotographError>) {
+    let doubts = match found {
+        Ok(found) => found.doubts.as_slice(),
+        Err(PhotographError::OffMiddle(doubt)) => std::slice::from_ref(doubt),
+        Err(_) => &[],
+    };
+    for doubt in doubts {
+        if let Doubt::Middle { pixel, .. } = doubt
+            && ui.button(t.middle).explained(t.middle_hint).clicked()
+        {
+            model.photograph.marks.middle = Some(*pixel);
+        }
+    }
+    if model.photograph.marks.middle.is_some() && ui.button(t.middle_of_image).clicked() {
+        model.photograph.marks.middle = None;
+    }
+}
+
 /// The arithmetic, as the command line prints it, and the values that the photograph doesn't give.
 fn account(ui: &mut Ui, model: &Model, found: &PhotographCamera) {
     let lang = model.settings.lang;
     for (number, step) in steps::steps(lang, found).iter().enumerate() {
         ui.add(egui::Label::new(format!("{}. {step}", number + 1)).wrap());
     }
-    for untold in &found.untold {
-        let text = RichText::new(format!("⚠ {}", steps::untold(lang, *untold))).color(ui.visuals().warn_fg_color);
+    let untold = found.untold.iter().map(|untold| steps::untold(lang, *untold).to_owned());
+    for text in untold.chain(steps::doubts(lang, found)) {
+        let text = RichText::new(format!("⚠ {text}")).color(ui.visuals().warn_fg_color);
         ui.add(egui::Label::new(text).wrap());
     }
 }

@@ -34,6 +34,11 @@ impl Canvas {
         let Some(pane) = panes.iter().find(shows).filter(|_| model.photograph.on) else { return };
         let Model { photograph, settings, desk, .. } = model;
         let place = ImagePlace::of(pane);
+        let (image, given) = (desk.shown.figure().image, *desk.shown.camera().parameters());
+        // A place outside the pane would be moved to its border.
+        let middle = pane.rect.rect.center();
+        let reach = place.in_image(middle + vec2(REACH, 0.0)).distance(place.in_image(middle));
+        photograph.find_axis(image, &given, reach);
         draw(ui, photograph, pane, &place);
         let mut removed = None;
         for (grip, at) in photograph.grips() {
@@ -42,8 +47,7 @@ impl Canvas {
         if let Some(grip) = removed {
             photograph.remove(grip);
         }
-        let parameters = *desk.shown.camera().parameters();
-        let found = photograph.camera(desk.shown.figure().image, &parameters).ok();
+        let found = photograph.camera(image, &given).ok();
         paint(ui, settings, photograph, pane, &place, found.as_ref());
     }
 }
@@ -112,6 +116,10 @@ fn drag(
             new_line(photograph, &response, place, Some(at));
         }
         (Grip::End(..), Drawn::Origin | Drawn::Length) if response.clicked() => photograph.begin(at),
+        // So does one at the origin, and the length starts there. Only the origin's own tool moves it.
+        (Grip::Origin, Drawn::Length) | (Grip::Origin | Grip::Length, Drawn::Line(_)) => {
+            new_line(photograph, &response, place, Some(at));
+        }
         _ => {
             if let Some(pointer) = held_at(&response) {
                 photograph.move_to(grip, place.in_image(pointer));
@@ -179,6 +187,11 @@ fn paint(
         let along = (b - a).normalize() * 1e5;
         let ends = [a - along, a + along].map(|end| place.on_screen(end));
         stroke(&painter, ends, 1.0, [color_of(palette.soft), paper]);
+    }
+    let shows_axis = photograph.drawn == Drawn::Length || marks.length.is_some();
+    if let Some((origin, way, _)) = photograph.axis.filter(|_| shows_axis) {
+        let ends = [origin - way * 1e5, origin + way * 1e5].map(|end| place.on_screen(end));
+        stroke(&painter, ends, 1.0, [axis_color(palette, photograph.length.0), paper]);
     }
     for line in &marks.lines {
         let color = axis_color(palette, line.axis);

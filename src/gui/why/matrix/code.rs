@@ -34,7 +34,7 @@ fn written(model: &Model, explain: &Explain) -> String {
     let camera = model.desk.shown.camera();
     let figure = model.desk.shown.figure();
     let target = explain.code;
-    if let Some(limitation) = target.limitation(camera) {
+    if let Some(limitation) = target.limitation(camera, figure.image) {
         return dialects::limitation(model.settings.lang, limitation);
     }
     let setting = crate::explain::Setting::new(camera.notes_clip_space(), figure.image, figure.viewport);

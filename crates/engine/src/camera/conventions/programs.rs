@@ -29,6 +29,8 @@ pub struct Program {
     pub angle: Option<AngleUnit>,
     /// Its units of length in ours.
     pub units: f64,
+    /// The least F that it takes. Below it, it would cut other points.
+    pub least_near: f64,
 }
 
 const RADIANS: Option<AngleUnit> = Some(AngleUnit::Radians);
@@ -50,6 +52,7 @@ impl Program {
         order: Order::Columns,
         angle: DEGREES,
         units: 1.0,
+        least_near: f64::NEG_INFINITY,
     };
 
     /// A program with pixels instead of NDC.
@@ -62,7 +65,7 @@ impl Program {
         Self { name: "GLM", word: "glm", angle: RADIANS, ..Self::OF_THE_NOTES },
         Self { name: "glam", word: "glam", angle: RADIANS, ..Self::OF_THE_NOTES },
         Self { name: "three.js", word: "threejs", ..Self::OF_THE_NOTES },
-        Self { name: "VTK, PyVista", word: "vtk", order: Order::Rows, ..Self::OF_THE_NOTES },
+        Self { name: "VTK, PyVista", word: "vtk", order: Order::Rows, least_near: 1e-20, ..Self::OF_THE_NOTES },
         Self { name: "NumPy", word: "numpy", order: Order::Rows, angle: None, ..Self::OF_THE_NOTES },
         Self { name: "LaTeX", word: "latex", order: Order::Rows, angle: None, ..Self::OF_THE_NOTES },
         // Its lens is a focal length.
@@ -72,6 +75,7 @@ impl Program {
             axes: Axes::BLENDER,
             order: Order::Rows,
             angle: None,
+            least_near: 1e-6,
             ..Self::OF_THE_NOTES
         },
         Self { name: "Unity", word: "unity", axes: Axes::DIRECT3D, order: Order::Rows, ..Self::OF_THE_NOTES },
@@ -89,7 +93,7 @@ impl Program {
         Self { name: "Open3D", word: "open3d", order: Order::Columns, ..Self::OF_PIXELS },
         Self { name: "COLMAP", word: "colmap", order: Order::WxyzThenT, ..Self::OF_PIXELS },
         Self { name: "nerfstudio", word: "nerfstudio", axes: Axes::BLENDER, ..Self::OF_PIXELS },
-        Self { name: "glTF", word: "gltf", angle: RADIANS, ..Self::OF_THE_NOTES },
+        Self { name: "glTF", word: "gltf", angle: RADIANS, least_near: 0.0, ..Self::OF_THE_NOTES },
         Self { name: "PyTorch3D", word: "pytorch3d", axes: Axes::PYTORCH3D, order: Order::Columns, ..Self::OF_PIXELS },
         Self { name: "Godot", word: "godot", ..Self::OF_THE_NOTES },
         Self { name: "Babylon.js", word: "babylon", axes: Axes::DIRECT3D, angle: RADIANS, ..Self::OF_THE_NOTES },

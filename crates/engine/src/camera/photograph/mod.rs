@@ -8,14 +8,15 @@
 //! known length the distance.
 //!
 //! The textbook way divides by w and fails when lines are parallel in the image. Here points stay homogeneous, and
-//! 1/f² is computed in place of f: if it's within the error of a pixel from 0, f is unknown.
+//! 1/f² is computed in place of f: if it's within the error of a pixel from 0, f is unknown. Each pair of axes counts
+//! by what it knows.
 
 mod lines;
 
 use glam::{DMat3, DVec2, DVec3};
 
-use super::{Camera, CameraError, ImageSize, Parameters, Projection};
-use lines::{Located, SURE, differ, focal_length, rotation, vanishing};
+use super::{Camera, CameraError, ImageSize, Parameters, Projection, ViewWindow};
+use lines::{CONTRADICTS, Focal, Located, Pair, SURE, direction, doubt, middle, rotation, vanishing};
 pub use lines::{PhotographLine, WorldAxis};
 
 /// The lines and points of a photograph that say where its camera was.
@@ -25,8 +26,10 @@ pub struct PhotographMarks {
     pub lines: Vec<PhotographLine>,
     /// The pixel of the origin of the world, (0, 0) at the top left.
     pub origin: Option<DVec2>,
-    /// A point on an axis: its pixel, and its coordinate, which isn't 0.
+    /// A point on an axis through the origin: its pixel, and its coordinate, which isn't 0.
     pub length: Option<(WorldAxis, DVec2, f64)>,
+    /// The pixel in which the axis of the camera goes through the image. `None` for the middle.
+    pub middle: Option<DVec2>,
 }
 
 /// A vanishing point.
@@ -44,7 +47,7 @@ pub struct AxisVanishing {
 /// A number that a photograph can't tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Untold {
-    /// θ, because in each pair of axes, one has lines that nearly meet at infinity.
+    /// θ, because no pair of axes tells it: lines nearly meet at infinity, or in the middle of the image.
     ViewAngle,
     /// The direction to C, because no pixel of the origin was given.
     Position,
@@ -63,6 +66,42 @@ impl Untold {
     }
 }
 
+/// A thing that the marks say and that the camera doesn't follow, or only in part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Doubt {
+    /// The lines of an axis are pieces of one line, to within a pixel. The axis is left out.
+    OneLine(WorldAxis),
+    /// The angle between two axes (degrees, up to 90) at θ in use. If θ is known, this pair is left out of it.
+    Angle(WorldAxis, WorldAxis, f64),
+    /// Lines of an axis were drawn the other way round, and are turned.
+    Turned(WorldAxis),
+    /// The camera stands upside down, or two axes were drawn the other way round.
+    UpsideDown,
+    /// Three vanishing points put the axis of the camera through this pixel, so many pixels beside the middle, with
+    /// this error for one pixel in each end.
+    Middle {
+        /// Its pixel.
+        pixel: DVec2,
+        /// From the pixel in use.
+        offset: f64,
+        /// In pixels, smaller than the offset.
+        error: f64,
+    },
+}
+
+impl Doubt {
+    /// Its name in output for programs.
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::OneLine(_) => "one-line",
+            Self::Angle(..) => "angle",
+            Self::Turned(_) => "turned",
+            Self::UpsideDown => "upside-down",
+            Self::Middle { .. } => "middle",
+        }
+    }
+}
+
 /// The reason why there is no camera.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -73,24 +112,31 @@ pub enum PhotographError {
     /// A line whose ends are one point.
     #[error("line {0} has no direction")]
     NoDirection(usize),
-    /// The lines of an axis lie on one line, and meet everywhere.
+    /// The lines of an axis lie on one line, to within a pixel, and meet everywhere on it.
     #[error("the lines of {} lie on one line", .0.name())]
     OneLine(WorldAxis),
-    /// 1/f² is negative. Axes at right angles never look like this with the principal point in the middle.
+    /// 1/f² is negative. Axes at right angles never look like this with the principal point in the middle. With their
+    /// angle at the given θ, both in degrees.
     #[error("{} and {} are not at right angles in any camera with its axis through the middle", .0.name(), .1.name())]
-    NotAtRightAngles(WorldAxis, WorldAxis),
+    NotAtRightAngles(WorldAxis, WorldAxis, [f64; 2]),
+    /// The same, and [`Doubt::Middle`] says in which pixel the axis goes through the image.
+    #[error("the axis of the camera isn't in the middle")]
+    OffMiddle(Doubt),
     /// The lines of two axes meet in one point, up to the error of a pixel.
     #[error("the lines of {} and {} point in the same direction", .0.name(), .1.name())]
     SameDirection(WorldAxis, WorldAxis),
-    /// The directions of three axes lie in one plane, or a number isn't finite.
+    /// A number isn't finite, or out of the range of cameras.
     #[error("{0}")]
     Impossible(CameraError),
-    /// The senses of the lines make a left-handed system.
-    #[error("the senses of the lines make a left-handed system")]
-    LeftHanded,
-    /// The known length is nowhere in front of the camera.
+    /// The point of the length lies so many pixels beside the axis through the origin.
+    #[error("the point of the length lies {} pixels beside {}", .1, .0.name())]
+    BesideAxis(WorldAxis, f64),
+    /// The pixel of the length shows no point of the axis at that distance.
     #[error("the length and the origin contradict each other")]
     Length,
+    /// The same, with a θ that isn't known. It's the given one, in degrees.
+    #[error("the length needs another angle than {0}")]
+    LengthAtAngle(f64),
 }
 
 /// The camera of a photograph, with the cost of an error of one pixel.
@@ -102,6 +148,8 @@ pub struct PhotographCamera {
     pub vanishing: Vec<AxisVanishing>,
     /// Two points of the horizon, the image of the ideal line of the plane y = 0; `None` if it is at infinity.
     pub horizon: Option<[DVec2; 2]>,
+    /// The pixel in which the axis of the camera goes through the image.
+    pub middle: DVec2,
     /// f in pixels. `None` means it can't be known.
     pub focal_length: Option<f64>,
     /// The change of θ in degrees if each end of each line is wrong by one pixel, root of the sum of squares. `None` if
@@ -111,6 +159,8 @@ pub struct PhotographCamera {
     pub direction_per_pixel: f64,
     /// The numbers that the photograph doesn't tell.
     pub untold: Vec<Untold>,
+    /// The marks that contradict each other, or the camera.
+    pub doubts: Vec<Doubt>,
 }
 
 impl PhotographCamera {
@@ -118,6 +168,19 @@ impl PhotographCamera {
     pub fn axes(&self) -> [DVec3; 3] {
         let (v, n) = (self.parameters.view_up, (self.parameters.position - self.parameters.focal_point).normalize());
         [v.cross(n), v, n]
+    }
+
+    /// The way of an axis through a pixel of the image, towards larger coordinates: the derivative of (5.9) and (5.10).
+    pub fn way(&self, axis: WorldAxis, pixel: DVec2, image: ImageSize) -> DVec2 {
+        let frame = PixelFrame::new(image, None);
+        let d = DVec3::from_array(self.axes().map(|of| of[axis.index()]));
+        let f = self.focal_length.map_or_else(|| frame.focal_length(self.parameters.view_angle), |f| f / frame.scale);
+        let way = d.truncate() * f + (frame.centred(pixel) - frame.centred(self.middle)) * d.z;
+        let way = DVec2::new(way.x, -way.y).normalize_or_zero();
+        // Its own lines know better than R, which all axes share.
+        let vanishing = self.vanishing.iter().find(|point| point.axis == axis).and_then(|point| point.pixel);
+        let own = vanishing.map_or(way, |point| (point - pixel).normalize_or_zero());
+        if own.dot(way) < 0.0 { -own } else { own }
     }
 
     /// The angle by which the camera is rolled about **n**, between the horizon and the rows of the image. Degrees.
@@ -137,41 +200,53 @@ pub fn camera_of_photograph(
     image: ImageSize,
     given: &Parameters,
 ) -> Result<PhotographCamera, PhotographError> {
-    let (frame, given) = (PixelFrame::new(image), &in_perspective(given));
-    let solved = solve(marks, &frame, given, SURE)?;
-    let mut untold = Vec::new();
-    if solved.focal_length.is_none() {
-        untold.push(Untold::ViewAngle);
+    let (frame, given) = (PixelFrame::new(image, marks.middle), &in_perspective(given));
+    let solved = solve(marks, &frame, given)?;
+    let (axes, position, senses) = oriented(marks, &frame, &solved, given)?;
+    if let (Some(origin), Some((axis, pixel, _))) = (marks.origin, marks.length) {
+        let located = solved.located.iter().find(|located| located.axis == axis);
+        let [beside, error] = located.map_or([0.0; 2], |of| of.beside(frame.centred(origin), frame.centred(pixel)));
+        if beside > CONTRADICTS * error.hypot(frame.pixel_size()) {
+            return Err(PhotographError::BesideAxis(axis, beside * frame.scale));
+        }
     }
-    let placed = place(marks, &frame, &solved, given, &mut untold)?;
-    let costs = costs(marks, &frame, &solved, given);
-    let parameters = Parameters {
-        position: placed,
+    let mut untold = Vec::new();
+    untold.extend(solved.told.is_none().then_some(Untold::ViewAngle));
+    untold.extend(marks.origin.is_none().then_some(Untold::Position));
+    untold.extend((marks.origin.is_none() || marks.length.is_none()).then_some(Untold::Distance));
+    let costs = costs(&frame, &solved, &senses, axes);
+    let mut parameters = Parameters {
+        position,
         // On the axis, as far as the origin is deep.
-        focal_point: placed - solved.axes.row(2) * placed.dot(solved.axes.row(2)).abs().max(given.near),
-        view_up: solved.axes.row(1),
+        focal_point: position - axes.row(2) * position.dot(axes.row(2)).abs().max(given.near),
+        view_up: axes.row(1),
         projection: Projection::Perspective,
-        view_angle: solved.focal_length.map_or(given.view_angle, |f| frame.view_angle(f)),
+        view_angle: solved.told.map_or(given.view_angle, |f| frame.view_angle(f)),
         aspect: image.aspect(),
         window: None,
         ..*given
     };
+    parameters.window = marks.middle.map(|_| frame.window(image, given.near / solved.focal_length));
     Camera::new(&parameters).map_err(PhotographError::Impossible)?;
     Ok(PhotographCamera {
         parameters,
         vanishing: solved.located.iter().map(|located| located.reported(&frame)).collect(),
-        horizon: horizon(&solved, &frame),
-        focal_length: solved.focal_length.map(|f| f * frame.scale),
-        view_angle_per_pixel: solved.focal_length.map(|_| costs[0]),
-        direction_per_pixel: costs[1],
+        horizon: horizon(axes, solved.focal_length, &frame),
+        middle: frame.middle,
+        focal_length: solved.told.map(|f| f * frame.scale),
+        view_angle_per_pixel: solved.told.map(|_| costs.x),
+        direction_per_pixel: costs.y,
         untold,
+        doubts: doubts(solved, &frame, &senses, axes),
     })
 }
 
-/// F and B of a parallel camera may be 0 or less. A perspective takes the usual ones then.
+/// F and B of a parallel camera may be 0 or less. A perspective takes the usual ones then. A window has a θ, too.
 fn in_perspective(given: &Parameters) -> Parameters {
     let Parameters { near, far, .. } = if given.near > 0.0 { *given } else { Parameters::default() };
-    Parameters { near, far, ..*given }
+    let of_window = |window: ViewWindow| 2.0 * (window.height() / 2.0).atan2(near).to_degrees();
+    let window = given.window.filter(|_| given.projection == Projection::Perspective);
+    Parameters { near, far, view_angle: window.map_or(given.view_angle, of_window), ..*given }
 }
 
 /// Pixels → centred coordinates, y up, in half diagonals of the image, so that squares neither grow nor vanish.
@@ -182,9 +257,13 @@ struct PixelFrame {
 }
 
 impl PixelFrame {
-    fn new(image: ImageSize) -> Self {
+    fn new(image: ImageSize, middle: Option<DVec2>) -> Self {
         let size = DVec2::new(f64::from(image.width), f64::from(image.height));
-        Self { middle: size / 2.0, scale: size.length() / 2.0, height: size.y }
+        Self { middle: middle.unwrap_or(size / 2.0), scale: size.length() / 2.0, height: size.y }
+    }
+
+    fn pixel_size(&self) -> f64 {
+        1.0 / self.scale
     }
 
     fn centred(&self, pixel: DVec2) -> DVec2 {
@@ -204,69 +283,176 @@ impl PixelFrame {
     fn focal_length(&self, view_angle: f64) -> f64 {
         self.height / (2.0 * self.scale * (view_angle.to_radians() / 2.0).tan())
     }
+
+    /// The whole image, `share` of its size.
+    fn window(&self, image: ImageSize, share: f64) -> ViewWindow {
+        let corner = DVec2::new(f64::from(image.width), f64::from(image.height));
+        let [a, b] = [DVec2::ZERO, corner].map(|corner| self.centred(corner) * share);
+        ViewWindow { left: a.x, right: b.x, bottom: b.y, top: a.y }
+    }
 }
 
-/// f and R.
+/// The vanishing points and f.
 struct Solved {
     located: Vec<Located>,
-    /// In half diagonals. `None` means it can't be known.
-    focal_length: Option<f64>,
+    one_line: Vec<WorldAxis>,
+    focal: Focal,
+    /// f in half diagonals. `None` means it can't be known.
+    told: Option<f64>,
     /// The one in use: the given one if it can't be known.
-    used_focal_length: f64,
-    /// The directions of x, y, z in the VRC are its columns, so **u**, **v**, **n** its rows.
-    axes: DMat3,
+    focal_length: f64,
+    /// The pixel in half diagonals, and its error.
+    middle: Option<(DVec2, f64)>,
 }
 
-/// Directions count as different if the sine of their angle is `sure` times its error for one pixel.
-fn solve(
-    marks: &PhotographMarks,
-    frame: &PixelFrame,
-    given: &Parameters,
-    sure: f64,
-) -> Result<Solved, PhotographError> {
-    let located = vanishing(&marks.lines, |pixel| frame.centred(pixel), 1.0 / frame.scale)?;
-    let focal_length = focal_length(&located)?;
-    let used = focal_length.unwrap_or_else(|| frame.focal_length(given.view_angle));
-    differ(&located, used, sure)?;
-    let axes = rotation(&located, &marks.lines, used, |pixel| frame.centred(pixel))?;
-    Ok(Solved { located, focal_length, used_focal_length: used, axes })
+impl Solved {
+    /// Two axes, and their angle at a focal length, degrees up to 90.
+    fn angle(&self, (a, b): Pair, focal_length: f64) -> (WorldAxis, WorldAxis, f64) {
+        let [a, b] = [&self.located[a], &self.located[b]];
+        let [d, e] = [a, b].map(|of| direction(of.point, focal_length).normalize());
+        (a.axis, b.axis, d.cross(e).length().atan2(d.dot(e).abs()).to_degrees())
+    }
+
+    /// [`Doubt::Middle`] if the middle of the lens is surely elsewhere.
+    fn off_middle(&self, frame: &PixelFrame) -> Option<Doubt> {
+        let (middle, error) = self.middle.filter(|(middle, error)| *error < middle.length())?;
+        let [offset, error] = [middle.length(), error].map(|length| length * frame.scale);
+        Some(Doubt::Middle { pixel: frame.pixel(middle), offset, error })
+    }
 }
 
-/// C in the world.
-fn place(
+fn solve(marks: &PhotographMarks, frame: &PixelFrame, given: &Parameters) -> Result<Solved, PhotographError> {
+    let (located, one_line) = vanishing(&marks.lines, frame)?;
+    let focal = Focal::new(&located);
+    let middle = if located.iter().all(Located::is_finite) { middle_of(&located, frame) } else { None };
+    let q = focal.inverse_square;
+    let told = (q > SURE * focal.error).then(|| q.sqrt().recip());
+    let given = frame.focal_length(given.view_angle);
+    let is_possible = q >= -SURE * focal.error;
+    let solved = Solved { located, one_line, focal, told, focal_length: told.unwrap_or(given), middle };
+    if is_possible {
+        return Ok(solved);
+    }
+    if let Some(middle) = solved.off_middle(frame) {
+        return Err(PhotographError::OffMiddle(middle));
+    }
+    let (a, b, angle) = solved.angle(solved.focal.surest(&solved.located), given);
+    Err(PhotographError::NotAtRightAngles(a, b, [angle, frame.view_angle(given)]))
+}
+
+/// The middle of the lens and its error for one pixel.
+fn middle_of(located: &[Located], frame: &PixelFrame) -> Option<(DVec2, f64)> {
+    let points: Vec<DVec3> = located.iter().map(|located| located.point).collect();
+    let found = middle(&points)?;
+    let squares = squares(located, frame, |points| middle(points).unwrap_or(found).extend(0.0));
+    Some((found, squares.element_sum().sqrt())).filter(|(_, error)| error.is_finite())
+}
+
+/// The squares of the changes that one pixel in each coordinate of each end makes in a function of the vanishing points.
+fn squares(located: &[Located], frame: &PixelFrame, of: impl Fn(&[DVec3]) -> DVec3) -> DVec3 {
+    let points: Vec<DVec3> = located.iter().map(|located| located.point).collect();
+    let of_one = |(at, located): (usize, &Located)| {
+        let with = |point| {
+            let mut points = points.clone();
+            points[at] = point;
+            of(&points)
+        };
+        located.squares(frame.pixel_size(), with).unwrap_or_default()
+    };
+    located.iter().enumerate().map(of_one).sum()
+}
+
+/// R of vanishing points with their senses. The surer an axis, the more it counts.
+fn turned(solved: &Solved, points: &[DVec3], senses: &[f64], focal_length: f64) -> Option<DMat3> {
+    let errors = solved.located.iter().map(|of| of.direction_error(solved.focal_length).max(f64::EPSILON));
+    let least = errors.clone().fold(f64::INFINITY, f64::min);
+    let directions = solved.located.iter().zip(errors).zip(points.iter().zip(senses));
+    let weighted = directions.map(|((located, error), (point, sense))| {
+        (located.axis, direction(*point, focal_length) * *sense, (least / error).powi(2).max(1e-4))
+    });
+    rotation(&weighted.collect::<Vec<_>>())
+}
+
+/// R, C, and the senses of the axes: those in which most lines were drawn, if they are right-handed and the length is in
+/// front of the camera. If not, the senses that turn the fewest lines and let the camera stand upright.
+fn oriented(
     marks: &PhotographMarks,
     frame: &PixelFrame,
     solved: &Solved,
     given: &Parameters,
-    untold: &mut Vec<Untold>,
-) -> Result<DVec3, PhotographError> {
+) -> Result<(DMat3, DVec3, Vec<f64>), PhotographError> {
+    let votes: Vec<[usize; 2]> = solved.located.iter().map(|of| of.senses(solved.focal_length)).collect();
+    let least: usize = votes.iter().flat_map(|of| of.iter().min()).sum();
+    let points: Vec<DVec3> = solved.located.iter().map(|of| of.point).collect();
+    let mut best: Option<((bool, bool, usize), _)> = None;
+    let mut refused = PhotographError::SameDirection(solved.located[0].axis, solved.located[1].axis);
+    for pattern in 0..1_usize << votes.len() {
+        let reversed: Vec<bool> = (0..votes.len()).map(|at| pattern >> at & 1 == 1).collect();
+        let against = votes.iter().zip(&reversed).map(|(of, reversed)| of[usize::from(!reversed)]).sum();
+        let senses: Vec<f64> = reversed.iter().map(|reversed| if *reversed { -1.0 } else { 1.0 }).collect();
+        let Some(axes) = turned(solved, &points, &senses, solved.focal_length) else { continue };
+        let Some(position) = place(marks, frame, (axes, solved.focal_length), given) else {
+            refused = PhotographError::Length;
+            // The reason may be θ, not a line.
+            if solved.told.is_none() && against == least {
+                return Err(PhotographError::LengthAtAngle(given.view_angle));
+            }
+            continue;
+        };
+        let rank = (against > least, axes.col(1).y < 0.0, against);
+        if best.as_ref().is_none_or(|best| rank < best.0) {
+            best = Some((rank, (axes, position, senses)));
+        }
+    }
+    best.map(|best| best.1).ok_or(refused)
+}
+
+/// C in the world. `None` if the length is nowhere in front of it.
+fn place(
+    marks: &PhotographMarks,
+    frame: &PixelFrame,
+    (axes, focal_length): (DMat3, f64),
+    given: &Parameters,
+) -> Option<DVec3> {
     let distance = given.position.distance(given.focal_point);
-    let world_from_view = solved.axes.transpose();
-    let ray = |pixel: DVec2| frame.centred(pixel).extend(-solved.used_focal_length);
+    let world_from_view = axes.transpose();
+    let ray = |pixel: DVec2| frame.centred(pixel).extend(-focal_length);
     let Some(origin) = marks.origin.map(ray) else {
-        untold.extend([Untold::Position, Untold::Distance]);
         // It looks at the origin, from as far as the given camera.
-        return Ok(solved.axes.row(2) * distance);
+        return Some(axes.row(2) * distance);
     };
     let Some((axis, pixel, length)) = marks.length else {
-        untold.push(Untold::Distance);
-        return Ok(-(world_from_view * origin.normalize()) * distance);
+        return Some(-(world_from_view * origin.normalize()) * distance);
     };
     // λ r_o + L d is on the ray r_q, so its cross product with r_q is 0, and λ is the least squares solution of that.
-    let (r_q, d) = (ray(pixel), solved.axes.col(axis.index()));
+    let (r_q, d) = (ray(pixel), axes.col(axis.index()));
     let (across, moved) = (origin.cross(r_q), d.cross(r_q) * length);
     let lambda = -moved.dot(across) / across.length_squared();
-    if !(lambda.is_finite() && lambda > 0.0) {
-        return Err(PhotographError::Length);
-    }
-    Ok(-(world_from_view * origin) * lambda)
+    (lambda.is_finite() && lambda > 0.0).then(|| -(world_from_view * origin) * lambda)
+}
+
+fn doubts(solved: Solved, frame: &PixelFrame, senses: &[f64], axes: DMat3) -> Vec<Doubt> {
+    let f = solved.focal_length;
+    let is_doubtful = |pair: &Pair| doubt(&solved.located, *pair, f.powi(-2)) > CONTRADICTS;
+    let pairs = [(0, 1), (0, 2), (1, 2)].into_iter().filter(|pair| pair.1 < solved.located.len() && is_doubtful(pair));
+    let angles = if solved.told.is_some() { solved.focal.left_out.clone() } else { pairs.collect() };
+    let angle = |pair| {
+        let (a, b, angle) = solved.angle(pair, f);
+        Doubt::Angle(a, b, angle)
+    };
+    let is_turned = |(of, sense): &(&Located, &f64)| of.senses(f)[usize::from(**sense > 0.0)] > 0;
+    let turned = solved.located.iter().zip(senses).filter(is_turned).map(|(of, _)| Doubt::Turned(of.axis));
+    let one_line = solved.one_line.iter().copied().map(Doubt::OneLine);
+    let mut doubts: Vec<Doubt> = one_line.chain(angles.into_iter().map(angle)).chain(turned).collect();
+    doubts.extend((axes.col(1).y < 0.0).then_some(Doubt::UpsideDown));
+    doubts.extend(solved.off_middle(frame));
+    doubts
 }
 
 /// Through the vanishing points of x and z: the points at infinity of y = 0.
-fn horizon(solved: &Solved, frame: &PixelFrame) -> Option<[DVec2; 2]> {
-    let f = solved.used_focal_length;
+fn horizon(axes: DMat3, f: f64, frame: &PixelFrame) -> Option<[DVec2; 2]> {
     let [x, z] = [0, 2].map(|axis| {
-        let d = solved.axes.col(axis);
+        let d = axes.col(axis);
         DVec3::new(f * d.x, f * d.y, -d.z)
     });
     let DVec3 { x: a, y: b, z: c } = x.cross(z);
@@ -280,23 +466,16 @@ fn horizon(solved: &Solved, frame: &PixelFrame) -> Option<[DVec2; 2]> {
     Some([nearest - along, nearest + along].map(|p| frame.pixel(p)))
 }
 
-/// The changes of θ and of the direction of **n**, degrees, for one pixel in each coordinate of each end: the root of
-/// the sum of squares of differences.
-fn costs(marks: &PhotographMarks, frame: &PixelFrame, solved: &Solved, given: &Parameters) -> [f64; 2] {
-    let mut sums = [0.0; 2];
-    for line in 0..marks.lines.len() {
-        for end in 0..2 {
-            for step in [DVec2::X, DVec2::Y] {
-                let mut moved = marks.clone();
-                moved.lines[line].ends[end] += step;
-                let Ok(other) = solve(&moved, frame, given, 0.0) else { return [f64::INFINITY; 2] };
-                let angle = |f: f64| frame.view_angle(f);
-                sums[0] += (angle(other.used_focal_length) - angle(solved.used_focal_length)).powi(2);
-                sums[1] += other.axes.row(2).angle_between(solved.axes.row(2)).to_degrees().powi(2);
-            }
-        }
-    }
-    sums.map(f64::sqrt)
+/// The changes of θ and of the direction of **n**, degrees, for one pixel in each coordinate of each end.
+fn costs(frame: &PixelFrame, solved: &Solved, senses: &[f64], axes: DMat3) -> DVec3 {
+    let of = |points: &[DVec3]| {
+        let f = solved.told.map_or(solved.focal_length, |_| solved.focal.of(points).0.sqrt().recip());
+        let other = turned(solved, points, senses, f).unwrap_or(axes);
+        // The sine of a small angle, from a difference without cancellation.
+        let turn = other.row(2).cross(axes.row(2)).length().asin();
+        DVec3::new(frame.view_angle(f), turn.to_degrees(), 0.0)
+    };
+    squares(&solved.located, frame, of).map(f64::sqrt)
 }
 
 #[cfg(test)]

@@ -32,7 +32,7 @@ fn marks(camera: &Camera, sides: DVec3, round: impl Fn(DVec2) -> DVec2) -> Optio
         }
     }
     let length = Some((WorldAxis::X, see(DVec3::X * sides.x)?, sides.x));
-    Some(PhotographMarks { lines, origin: Some(see(DVec3::ZERO)?), length })
+    Some(PhotographMarks { lines, origin: Some(see(DVec3::ZERO)?), length, middle: None })
 }
 
 /// A sequence of numbers between 0 and 1. A linear congruential generator is random enough for cameras.
@@ -175,8 +175,8 @@ fn impossible_marks_are_refused_with_their_reason() {
     let dot = line(WorldAxis::Z, [5.0, 5.0], [5.0, 5.0]);
     assert_eq!(refused([x.to_vec(), vec![dot]].concat()), PhotographError::NoDirection(3));
     // Both meet on the same side of the middle, where axes at right angles never do.
-    let z = x.map(|line| PhotographLine { axis: WorldAxis::Z, ends: line.ends.map(|p| p + DVec2::new(0.0, 7.0)) });
-    assert_eq!(refused([x, z].concat()), PhotographError::NotAtRightAngles(WorldAxis::X, WorldAxis::Z));
+    let z = x.map(|line| PhotographLine { axis: WorldAxis::Z, ends: line.ends.map(|p| p + DVec2::new(0.0, 300.0)) });
+    assert!(matches!(refused([x, z].concat()), PhotographError::NotAtRightAngles(WorldAxis::X, WorldAxis::Z, _)));
 }
 
 #[test]
@@ -194,8 +194,7 @@ fn axes_whose_lines_have_one_direction_are_refused() {
         assert!(
             matches!(
                 refused,
-                PhotographError::SameDirection(WorldAxis::X, WorldAxis::Z)
-                    | PhotographError::NotAtRightAngles(WorldAxis::X, WorldAxis::Z)
+                PhotographError::SameDirection(..) | PhotographError::NotAtRightAngles(WorldAxis::X, WorldAxis::Z, _)
             ),
             "{tilt} {meet}: {refused:?}"
         );
@@ -232,7 +231,7 @@ fn whatever_lines_are_marked_the_camera_of_them_is_one() {
         let origin = (random.next() < 0.5).then(|| pixel(&mut random));
         let length = origin.map(|_| (WorldAxis::X, pixel(&mut random), random.between(-2.0, 2.0).round()));
         let given = Parameters { near: random.between(-1.0, 1.0), projection: Projection::Parallel, ..given() };
-        let marks = PhotographMarks { lines, origin, length: length.filter(|of| of.2 != 0.0) };
+        let marks = PhotographMarks { lines, origin, length: length.filter(|of| of.2 != 0.0), middle: None };
         if let Ok(found) = camera_of_photograph(&marks, ImageSize { width: 640, height: 480 }, &given) {
             cameras += 1;
             assert!(Camera::new(&found.parameters).is_ok(), "{marks:?}");
@@ -240,4 +239,204 @@ fn whatever_lines_are_marked_the_camera_of_them_is_one() {
         }
     }
     assert!(cameras > 1000, "{cameras}");
+}
+
+/// A level camera at a corner of a house, with each coordinate off by up to `off` pixels, evenly spread.
+fn level(random: &mut Numbers, off: f64) -> Option<(Camera, PhotographMarks)> {
+    let azimuth = random.between(0.4, 1.1);
+    let parameters = Parameters {
+        position: DVec3::new(azimuth.sin() * 9.0, random.between(1.4, 1.9), azimuth.cos() * 9.0),
+        focal_point: DVec3::new(0.0, random.between(1.4, 1.9), 0.0),
+        view_angle: random.between(35.0, 65.0),
+        aspect: IMAGE.aspect(),
+        ..Parameters::default()
+    };
+    let camera = Camera::new(&parameters).unwrap();
+    let sides = DVec3::new(random.between(2.0, 4.0), random.between(2.0, 3.0), random.between(2.0, 4.0));
+    let mut exact = marks(&camera, sides, |p| p)?;
+    for line in &mut exact.lines {
+        line.ends = line.ends.map(|end| end + DVec2::new(random.between(-off, off), random.between(-off, off)));
+    }
+    Some((camera, exact))
+}
+
+#[test]
+fn a_weak_third_axis_never_spoils_a_camera() {
+    let mut random = Numbers(5);
+    let mut worse = 0;
+    for off in [1.0, 2.0, 3.5] {
+        for _ in 0..100 {
+            let Some((camera, marks)) = level(&mut random, off) else { continue };
+            let mut two = marks.clone();
+            two.lines.retain(|line| line.axis != WorldAxis::Y);
+            let [all, two] = [&marks, &two].map(|marks| camera_of_photograph(marks, IMAGE, &given()).unwrap());
+            let (Some(cost), Some(of_two)) = (all.view_angle_per_pixel, two.view_angle_per_pixel) else { panic!() };
+            assert!(cost.is_finite() && all.direction_per_pixel.is_finite() && cost < 1.1 * of_two, "{cost} {of_two}");
+            let theta = camera.view_angle().degrees();
+            let error = (all.parameters.view_angle - theta).abs();
+            assert!(error < 4.0 * off * cost, "{error} {cost}");
+            worse += usize::from(error > (two.parameters.view_angle - theta).abs() + cost);
+        }
+    }
+    assert!(worse < 6, "{worse}");
+}
+
+#[test]
+fn lines_drawn_the_other_way_round_are_turned_and_named() {
+    let mut random = Numbers(6);
+    for _ in 0..200 {
+        let (camera, sides) = (camera(&mut random), sides(&mut random));
+        let Some(marks) = marks(&camera, sides, |p| p) else { continue };
+        for axis in WorldAxis::ALL {
+            for axes in [vec![WorldAxis::X, axis], WorldAxis::ALL.to_vec()] {
+                let mut other = marks.clone();
+                other.lines.retain(|line| axes.contains(&line.axis));
+                if axes.len() == 2 && axis == WorldAxis::X {
+                    continue;
+                }
+                // The length says which way x runs.
+                for line in other.lines.iter_mut().filter(|line| line.axis == WorldAxis::X) {
+                    line.ends.reverse();
+                }
+                let found = camera_of_photograph(&other, IMAGE, &given());
+                let Ok(found) = found else {
+                    assert!(matches!(found, Err(PhotographError::LengthAtAngle(_))), "{found:?}");
+                    continue;
+                };
+                assert!(found.doubts.contains(&Doubt::Turned(WorldAxis::X)), "{found:?}");
+                if found.untold.is_empty() {
+                    let p = camera.position();
+                    assert!(found.parameters.position.distance(p) < 1e-5 * p.length(), "{found:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn pieces_of_one_line_are_left_out_or_refused_and_never_at_infinity() {
+    let mut random = Numbers(7);
+    for _ in 0..200 {
+        let (camera, sides) = (camera(&mut random), sides(&mut random));
+        let Some(mut marks) = marks(&camera, sides, |p| p) else { continue };
+        let axis = WorldAxis::ALL[(random.next() * 3.0) as usize];
+        let (a, way) = (DVec2::new(300.0, 400.0), DVec2::from_angle(random.between(0.0, 6.0)) * 300.0);
+        let pieces = [0.0, 1.5, 4.0].map(|at| [a + way * at, a + way * (at + 1.0 + random.next())]);
+        let pieces = pieces.map(|ends| PhotographLine { axis, ends: ends.map(DVec2::round) });
+        marks.lines.retain(|line| line.axis != axis);
+        (marks.length, marks.lines) = (None, [marks.lines, pieces.to_vec()].concat());
+        let found = camera_of_photograph(&marks, IMAGE, &given()).unwrap();
+        assert!(found.doubts.contains(&Doubt::OneLine(axis)), "{found:?}");
+        assert_eq!(found.vanishing.len(), 2);
+        let other = marks.lines[0].axis;
+        marks.lines.retain(|line| line.axis == axis || line.axis == other);
+        assert_eq!(camera_of_photograph(&marks, IMAGE, &given()), Err(PhotographError::OneLine(axis)));
+    }
+}
+
+#[test]
+fn a_point_beside_the_axis_is_no_length() {
+    let mut random = Numbers(8);
+    let mut refused = 0;
+    for _ in 0..200 {
+        let (camera, sides) = (camera(&mut random), sides(&mut random));
+        let Some(mut marks) = marks(&camera, sides, |p| p) else { continue };
+        // The edge of the box beside the axis.
+        let beside = pixel(&camera, DVec3::new(sides.x, 0.0, sides.z)).unwrap();
+        let [o, x] = [marks.origin.unwrap(), marks.length.unwrap().1];
+        if (x - o).normalize().perp_dot(beside - o).abs() < 60.0 {
+            continue;
+        }
+        marks.length = Some((WorldAxis::X, beside, sides.x));
+        if camera.view_point(DVec3::new(sides.x, 0.0, sides.z)).z < -0.1 {
+            let found = camera_of_photograph(&marks, IMAGE, &given());
+            refused += 1;
+            assert!(
+                matches!(found, Err(PhotographError::BesideAxis(WorldAxis::X, pixels)) if pixels > 5.0),
+                "{found:?}"
+            );
+        }
+    }
+    assert!(refused > 100, "{refused}");
+}
+
+#[test]
+fn lines_that_no_camera_has_at_right_angles_get_their_angle() {
+    let line = |axis, a: [f64; 2], b: [f64; 2]| PhotographLine { axis, ends: [a, b].map(DVec2::from_array) };
+    let image = ImageSize { width: 1024, height: 768 };
+    // x is ideal, and V_z is 367 pixels to the right of the middle.
+    let z = |y: f64, v: DVec2| line(WorldAxis::Z, DVec2::new(150.0, y).lerp(v, 0.6).to_array(), [150.0, y]);
+    let v_z = DVec2::new(512.0 + 367.0, 384.0);
+    let x = [100.0, 600.0].map(|y| line(WorldAxis::X, [100.0, y], [900.0, y]));
+    let lines = [x.to_vec(), vec![z(150.0, v_z), z(650.0, v_z)]].concat();
+    let marks = PhotographMarks { lines, ..PhotographMarks::default() };
+    let given = Parameters { view_angle: 45.0, ..Parameters::default() };
+    let found = camera_of_photograph(&marks, image, &given).unwrap();
+    let f = 384.0 / 22.5_f64.to_radians().tan();
+    let angle = (f / 367.0).atan().to_degrees();
+    assert!(
+        matches!(found.doubts[..], [Doubt::Angle(WorldAxis::X, WorldAxis::Z, a)] if (a - angle).abs() < 0.1),
+        "{angle}: {:?}",
+        found.doubts
+    );
+    // Two ideal points.
+    let y = [100.0, 400.0].map(|x| line(WorldAxis::Y, [x, 600.0], [x + 300.0, 300.0]));
+    let marks = PhotographMarks { lines: [x.to_vec(), y.to_vec()].concat(), ..PhotographMarks::default() };
+    let found = camera_of_photograph(&marks, image, &given).unwrap();
+    assert!(matches!(found.doubts[..], [Doubt::Angle(_, _, a), ..] if (a - 45.0).abs() < 0.1), "{:?}", found.doubts);
+}
+
+#[test]
+fn three_vanishing_points_of_a_cropped_photograph_give_the_middle_which_brings_the_camera_back() {
+    let mut random = Numbers(9);
+    let mut offered = 0;
+    for _ in 0..300 {
+        let (camera, sides) = (camera(&mut random), sides(&mut random));
+        let Some(mut marks) = marks(&camera, sides, |p| p) else { continue };
+        // Cut off at the left and at the top.
+        let cut = DVec2::new(600.0, 300.0);
+        for line in &mut marks.lines {
+            line.ends = line.ends.map(|end| end - cut);
+        }
+        marks.origin = marks.origin.map(|p| p - cut);
+        marks.length = marks.length.map(|(axis, p, x)| (axis, p - cut, x));
+        let image = ImageSize { width: IMAGE.width - 600, height: IMAGE.height - 300 };
+        let middle = DVec2::new(2000.0, 1500.0) - cut;
+        let doubts = match camera_of_photograph(&marks, image, &given()) {
+            Ok(found) => found.doubts,
+            Err(PhotographError::OffMiddle(doubt)) => vec![doubt],
+            Err(_) => continue,
+        };
+        let of_middle =
+            |doubt: &Doubt| if let Doubt::Middle { pixel, error, .. } = doubt { Some((*pixel, *error)) } else { None };
+        let Some((pixel, error)) = doubts.iter().find_map(of_middle) else { continue };
+        offered += 1;
+        assert!(pixel.distance(middle) < 1e-3 * error, "{pixel} {error}");
+        marks.middle = Some(pixel);
+        let again = camera_of_photograph(&marks, image, &given()).unwrap();
+        if again.untold.is_empty() {
+            let own = Camera::new(&again.parameters).unwrap();
+            assert!(own.position().distance(camera.position()) < 1e-5 * camera.position().length());
+            assert!(own.basis().n.angle_between(camera.basis().n) < 1e-6);
+        }
+    }
+    assert!(offered > 100, "{offered}");
+}
+
+/// An oblique view of a long lens: the lines are nearly parallel in the image, and the θ of the figure is far off.
+#[test]
+fn a_long_lens_with_a_length_gets_the_true_reason() {
+    let line = |axis, a: [f64; 2], b: [f64; 2]| PhotographLine { axis, ends: [a, b].map(DVec2::from_array) };
+    let lines = vec![
+        line(WorldAxis::X, [98.7, 372.7], [666.0, 430.8]),
+        line(WorldAxis::X, [448.3, 529.2], [872.6, 568.7]),
+        line(WorldAxis::Y, [46.75, 708.4], [38.3, 226.0]),
+        line(WorldAxis::Y, [91.4, 497.2], [85.0, 159.2]),
+    ];
+    let length = Some((WorldAxis::Z, DVec2::new(37.0, 553.0), -39.8));
+    let marks = PhotographMarks { lines, origin: Some(DVec2::new(542.0, 377.0)), length, middle: None };
+    let image = ImageSize { width: 1024, height: 768 };
+    let at = |view_angle| camera_of_photograph(&marks, image, &Parameters { view_angle, ..Parameters::default() });
+    assert_eq!(at(45.0).unwrap_err(), PhotographError::LengthAtAngle(45.0));
+    assert!(at(5.4).is_ok_and(|found| found.untold == [Untold::ViewAngle]));
 }

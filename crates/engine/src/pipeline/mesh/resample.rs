@@ -150,7 +150,10 @@ fn pictured(old: &Pictured, origins: &[VertexOrigin], inverse_w: &[f32]) -> Pict
         let [u, v, q] = origin.of(divided);
         [u / q, v / q]
     };
-    Pictured { uv: Arc::new(origins.iter().map(uv).collect()), ..old.clone() }
+    // Colours between corners are affine on the picture, as those of other objects.
+    let tint = |origin: &VertexOrigin| origin.of(|i| color_at(&old.tints, i));
+    let tints = if old.tints.is_empty() { Vec::new() } else { origins.iter().map(tint).collect() };
+    Pictured { uv: Arc::new(origins.iter().map(uv).collect()), tints: Arc::new(tints), ..old.clone() }
 }
 
 /// The light found for a mesh whose vertices and triangles come from those of another.
@@ -178,8 +181,9 @@ pub(crate) fn base_of(paint: ObjectPaint) -> Base {
         ObjectPaint::Solid(color) => Base::Solid(color),
         ObjectPaint::Faces(colors) => Base::Faces(Arc::unwrap_or_clone(colors)),
         ObjectPaint::Vertices(colors) => Base::Vertices(Arc::unwrap_or_clone(colors)),
-        ObjectPaint::Texture(Pictured { image, sampler, uv, tint, .. }) => {
-            Base::Texture { image, sampler, uv: Arc::unwrap_or_clone(uv), tint }
+        ObjectPaint::Texture(Pictured { image, sampler, uv, tint, tints, .. }) => {
+            let (uv, tints) = (Arc::unwrap_or_clone(uv), Arc::unwrap_or_clone(tints));
+            Base::Texture { image, sampler, uv, tint, tints }
         }
     }
 }
@@ -314,7 +318,7 @@ pub(crate) fn empty_like(old: &Surface) -> Surface {
         Base::Solid(_) | Base::Faces(_) => Base::Faces(Vec::new()),
         Base::Vertices(_) => Base::Vertices(Vec::new()),
         Base::Texture { image, sampler, tint, .. } => {
-            Base::Texture { image: image.clone(), sampler: *sampler, uv: Vec::new(), tint: *tint }
+            Base::Texture { image: image.clone(), sampler: *sampler, uv: Vec::new(), tint: *tint, tints: Vec::new() }
         }
     };
     let light = match &old.light {
@@ -356,7 +360,12 @@ pub(crate) fn append(surface: &mut Surface, old: &Surface, origins: &[VertexOrig
         (Base::Faces(colors), Base::Solid(color)) => colors.extend(std::iter::repeat_n(*color, faces)),
         (Base::Faces(colors), Base::Faces(old)) => colors.extend(std::iter::repeat_n(color_at(old, source), faces)),
         (Base::Vertices(colors), Base::Vertices(old)) => add(colors, origins, |i| color_at(old, i)),
-        (Base::Texture { uv, .. }, Base::Texture { uv: old, .. }) => add(uv, origins, |i| at(old, i)),
+        (Base::Texture { uv, tints, .. }, Base::Texture { uv: old, tints: old_tints, .. }) => {
+            add(uv, origins, |i| at(old, i));
+            if !old_tints.is_empty() {
+                add(tints, origins, |i| color_at(old_tints, i));
+            }
+        }
         // Made by `empty_like`, a base is of the kind of the old one, and has no one colour.
         (Base::Solid(_) | Base::Faces(_) | Base::Vertices(_) | Base::Texture { .. }, _) => {}
     }
@@ -418,8 +427,13 @@ mod tests {
             Base::Vertices(vec![Rgba::rgb(128, 0, 128), BLUE])
         );
         let image = Arc::new(Texture::flat(1, 1, vec![0; 4]));
-        let texture =
-            |uv| Base::Texture { image: image.clone(), sampler: Sampler::PICTURE, uv, tint: Rgba::rgb(255, 255, 255) };
+        let texture = |uv| Base::Texture {
+            image: image.clone(),
+            sampler: Sampler::PICTURE,
+            uv,
+            tint: Rgba::rgb(255, 255, 255),
+            tints: Vec::new(),
+        };
         assert_eq!(taken(texture(vec![[0.0, 0.0], [1.0, 0.5], [9.0, 9.0]]), &[MIDDLE]), texture(vec![[0.5, 0.25]]));
     }
 

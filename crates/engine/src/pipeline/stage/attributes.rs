@@ -87,13 +87,14 @@ impl FacesToLight<'_> {
             // The light is kept apart from it as from a picture, so that it comes out the same.
             return (Base::Solid(color), light);
         }
-        if let ObjectPaint::Texture(Pictured { image, sampler, uv: own, tint, .. }) = &self.object.paint
+        if let ObjectPaint::Texture(Pictured { image, sampler, uv: own, tint, tints, .. }) = &self.object.paint
             && faces.cuts.is_empty()
         {
             // Nothing is new: the coordinates stay as they are.
             let mut uv = Vec::clone(own);
             uv.resize(self.vertices.len(), [0.0; 2]);
-            return (Base::Texture { image: image.clone(), sampler: *sampler, uv, tint: *tint }, light);
+            let tints = Vec::clone(tints);
+            return (Base::Texture { image: image.clone(), sampler: *sampler, uv, tint: *tint, tints }, light);
         }
         (base_of(object_paint(self.object, origins(), &faces.source)), light)
     }

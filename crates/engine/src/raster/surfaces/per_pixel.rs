@@ -5,7 +5,7 @@
 //! and every attribute is the sum of its three values with these shares. Eight triangles are set up together. Each is
 //! then painted on its own, eight pixels at a time, with the same attributes in all lanes.
 
-use crate::appearance::{LightShare, TextureReveal};
+use crate::appearance::{LightShare, Rgba, TextureReveal};
 use crate::drawing::{Base, BlockedLight, Lighting, Shadow, Surface, SurfaceLight};
 use crate::lighting::{light_eight, packed, with_light};
 use crate::simd::prelude::*;
@@ -48,7 +48,8 @@ enum BaseColors<'a, K: Simd> {
     One(u32x8<K>),
     /// Premultiplied.
     Vertices(Attribute<K, 4>),
-    Texture(Textured<'a, K>),
+    /// With the tints of the vertices, premultiplied, if they have any.
+    Texture(Textured<'a, K>, Option<Attribute<K, 4>>),
 }
 
 /// The light on eight triangles.
@@ -131,23 +132,16 @@ impl<'a, K: Simd> PerPixel<'a, K> {
                 let color = |triangle: u32| surface.face_color(triangle as usize).map_or(0, packed);
                 BaseColors::One(u32x8::from_slice(simd, &triangles.map(color)))
             }
-            Base::Vertices(colors) => {
-                let (colors, _) = gather_colors(simd, colors, &corners, |c| premultiply(*c));
-                let mut channels = [[f32x8::splat(simd, 0.0); 3]; 4];
-                for k in 0..3 {
-                    for (channels, shift) in channels.iter_mut().zip([0, 8, 16, 24]) {
-                        channels[k] = channel(colors[k] >> shift);
-                    }
-                }
-                BaseColors::Vertices(channels)
-            }
-            Base::Texture { image, sampler, uv, tint } => {
+            Base::Vertices(colors) => BaseColors::Vertices(of_vertices(simd, colors, &corners)),
+            Base::Texture { image, sampler, uv, tint, tints } => {
                 let mut change = [inverse_w; 2];
                 for (k, plane) in planes.iter().enumerate() {
                     (change[0][k], change[1][k]) = (change[0][k] * plane.dx, change[1][k] * plane.dy);
                 }
                 let uv = gather_pairs(simd, uv, &corners);
-                BaseColors::Texture(Textured::new(image, *sampler, *tint, uv, change))
+                let tints = (!tints.is_empty()).then(|| of_vertices(simd, tints, &corners));
+                let tint = if tints.is_some() { Rgba::rgb(255, 255, 255) } else { *tint };
+                BaseColors::Texture(Textured::new(image, *sampler, tint, uv, change), tints)
             }
         };
         let light = match &surface.light {
@@ -173,7 +167,9 @@ impl<'a, K: Simd> PerPixel<'a, K> {
         let base = match &self.base {
             BaseColors::One(colors) => BaseColors::One(u32x8::splat(colors.witness(), colors[lane])),
             BaseColors::Vertices(channels) => BaseColors::Vertices(all_of(channels, lane)),
-            BaseColors::Texture(textured) => BaseColors::Texture(textured.of(lane)),
+            BaseColors::Texture(textured, tints) => {
+                BaseColors::Texture(textured.of(lane), tints.as_ref().map(|tints| all_of(tints, lane)))
+            }
         };
         let light = match &self.light {
             LightOfEight::InBase => LightOfEight::InBase,
@@ -266,13 +262,20 @@ impl<'a, K: Simd> PerPixel<'a, K> {
         let own = match &self.base {
             BaseColors::One(colors) => *colors,
             BaseColors::Vertices(colors) => bytes(mix(w, colors)),
-            BaseColors::Texture(textured) => {
-                bytes(textured.colors(wanted, mix(w, &textured.uv), f32x8::splat(simd, 1.0) / sum))
+            BaseColors::Texture(textured, tints) => {
+                let mut colors = textured.colors(wanted, mix(w, &textured.uv), f32x8::splat(simd, 1.0) / sum);
+                if let Some(tints) = tints {
+                    let tint = mix(w, tints);
+                    for k in 0..4 {
+                        colors[k] *= tint[k] * (1.0 / 255.0);
+                    }
+                }
+                bytes(colors)
             }
         };
         let most = match &self.base {
             BaseColors::One(_) => f32x8::splat(simd, 255.0),
-            BaseColors::Vertices(_) | BaseColors::Texture(_) => channel(own >> 24),
+            BaseColors::Vertices(_) | BaseColors::Texture(..) => channel(own >> 24),
         };
         let lit = match &self.light {
             LightOfEight::InBase => own,
@@ -293,7 +296,7 @@ impl<'a, K: Simd> PerPixel<'a, K> {
             // The alpha of opaque surfaces doesn't count.
             _ if !self.surface.translucent => lit | 0xff00_0000,
             BaseColors::One(_) => premultiply_packed(lit),
-            BaseColors::Vertices(_) | BaseColors::Texture(_) => lit,
+            BaseColors::Vertices(_) | BaseColors::Texture(..) => lit,
         }
     }
 }
@@ -375,7 +378,12 @@ fn present<K: Simd>(simd: K, surface: &Surface, triangles: &[u32], corners: &Cor
         Base::Solid(_) => {}
         Base::Faces(colors) => faces = faces.min(colors.len()),
         Base::Vertices(colors) => vertices = vertices.min(colors.len()),
-        Base::Texture { uv, .. } => vertices = vertices.min(uv.len()),
+        Base::Texture { uv, tints, .. } => {
+            vertices = vertices.min(uv.len());
+            if !tints.is_empty() {
+                vertices = vertices.min(tints.len());
+            }
+        }
     }
     match &surface.light {
         SurfaceLight::InBase => {}
@@ -413,6 +421,19 @@ fn all_of<K: Simd, const N: usize>(attribute: &Attribute<K, N>, lane: usize) -> 
         one[k] = all(&attribute[k], lane);
     }
     one
+}
+
+/// Colours at each corner, premultiplied, by channel.
+#[inline(always)]
+fn of_vertices<K: Simd>(simd: K, colors: &[Rgba], corners: &Corners) -> Attribute<K, 4> {
+    let (colors, _) = gather_colors(simd, colors, corners, |c| premultiply(*c));
+    let mut channels = [[f32x8::splat(simd, 0.0); 3]; 4];
+    for k in 0..3 {
+        for (channels, shift) in channels.iter_mut().zip([0, 8, 16, 24]) {
+            channels[k] = channel(colors[k] >> shift);
+        }
+    }
+    channels
 }
 
 /// Pairs at each corner, by component. NaN if there are none.

@@ -1,5 +1,6 @@
 //! Faults of a mesh file.
 
+use super::mesh_endings;
 use super::soup::TooLarge;
 use crate::limits::MAX_OBJECTS;
 use crate::scene::{ReadError, TextureError};
@@ -12,8 +13,7 @@ pub enum MeshError {
     #[error(transparent)]
     Unreadable(Box<ReadError>),
     /// The extension of its name is unknown.
-    #[cfg_attr(feature = "import", error("the format is not known; allowed: a name that ends in .obj, .gltf or .glb"))]
-    #[cfg_attr(not(feature = "import"), error("the format is not known; allowed: a name that ends in .obj"))]
+    #[error("the format is not known; allowed: a name that ends with one of these: {}", mesh_endings())]
     Format,
     /// Reading was cancelled.
     #[error("reading was cancelled")]
@@ -27,13 +27,21 @@ pub enum MeshError {
     /// The mesh has more objects than a scene may.
     #[error("it has too many objects; allowed: at most {MAX_OBJECTS}")]
     TooManyObjects,
-    /// A line of an OBJ file.
+    /// A line of an OBJ, PLY or STL file.
     #[error("line {line}: {fault}")]
-    Obj {
+    Line {
         /// From 1.
         line: usize,
         /// The rule of the format that this line breaks.
-        fault: ObjFault,
+        fault: MeshFault,
+    },
+    /// A place in a binary PLY or STL file.
+    #[error("byte {byte}: {fault}")]
+    Byte {
+        /// From 0.
+        byte: usize,
+        /// The rule of the format that the file breaks here.
+        fault: MeshFault,
     },
     /// The JSON of a glTF file doesn't parse.
     #[error("line {line}, column {column}: {fault}")]
@@ -79,10 +87,10 @@ impl From<TooLarge> for MeshError {
     }
 }
 
-/// A fault in a line of an OBJ file.
+/// A fault in an OBJ, PLY or STL file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum ObjFault {
+pub enum MeshFault {
     /// Not a finite number.
     #[error("\"{found}\" is not a finite number")]
     Number {
@@ -100,6 +108,33 @@ pub enum ObjFault {
     Corner {
         /// The text found.
         found: String,
+    },
+    /// A word that the format doesn't have here.
+    #[error("\"{found}\" cannot stand here; allowed: {allowed}")]
+    Word {
+        /// The text found.
+        found: String,
+        /// Words of the format.
+        allowed: String,
+    },
+    /// A required word is missing.
+    #[error("\"{word}\" is missing")]
+    Missing {
+        /// The word of the format.
+        word: String,
+    },
+    /// The file ends too early.
+    #[error("the file ends here, too early")]
+    End,
+    /// The length of a binary STL file isn't that of its triangles.
+    #[error("{triangles} triangles need {needed} bytes, but the file has {found}")]
+    Length {
+        /// As the file states it.
+        triangles: u32,
+        /// Bytes.
+        needed: u64,
+        /// Bytes.
+        found: u64,
     },
     /// A corner names a missing point.
     #[error("\"{found}\" names a point that does not exist; there are {points} points")]
@@ -125,6 +160,22 @@ pub enum MeshNotice {
         line: usize,
         /// The corner.
         found: String,
+    },
+    /// Entries that the program doesn't draw.
+    #[error("left out, because this program doesn't use it: {entries}")]
+    LeftOut {
+        /// Their names in the file, each with their number.
+        entries: String,
+    },
+    /// Materials that are in no library of the file.
+    #[error(
+        "no library of the file has {count} of its materials, such as \"{material}\"; their faces have the object's colour"
+    )]
+    NoMaterial {
+        /// The first one's name.
+        material: String,
+        /// The number of such materials.
+        count: usize,
     },
     /// Faces have fewer than three corners.
     #[error("line {line}: a face with {found} corners; {}", if *count == 1 { "it is left out".to_owned() } else { format!("it and {} others are left out", count - 1) })]
@@ -189,9 +240,6 @@ pub enum GlbFault {
     /// The twelve bytes at its start.
     #[error("its header is truncated or gives a wrong length")]
     Header,
-    /// A version of the frame other than 2.
-    #[error("its version is not 2")]
-    Version,
     /// A chunk goes beyond the end.
     #[error("it ends early")]
     End,
@@ -214,6 +262,12 @@ pub enum GltfFault {
     #[error("this is glTF {found}; allowed: 2.0")]
     Version {
         /// As the file states it, such as 1.0.
+        found: String,
+    },
+    /// The file needs an extension that this program doesn't read.
+    #[error("the file needs {found}, which this program does not read; save it without")]
+    Extension {
+        /// The name of the extension.
         found: String,
     },
     /// A value breaks a rule of glTF.

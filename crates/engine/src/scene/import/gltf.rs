@@ -1,14 +1,16 @@
 //! glTF 2.0 and GLB, through the crate `gltf`, which reads and checks the JSON. The bytes behind the accessors are read
 //! here, with every address checked.
 
+use std::array::from_fn;
 use std::borrow::Cow;
 use std::cell::Cell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 use std::sync::Arc;
 
 use ::gltf::accessor::{DataType, Dimensions};
 use ::gltf::buffer::View;
+use ::gltf::json::Root;
 use ::gltf::json::validation::{Checked, Error as Rule};
 use ::gltf::material::AlphaMode;
 use ::gltf::mesh::Mode;
@@ -16,8 +18,9 @@ use ::gltf::{Accessor, Document, Gltf, Primitive, Semantic};
 use base64::Engine as _;
 use glam::{DMat4, DQuat, DVec3};
 use serde_json::error::Category;
+use serde_json::value::RawValue;
 
-use super::part::{Imported, Part, PartTexture};
+use super::part::{Imported, LeftOut, Part, PartTexture, byte};
 use super::soup::Soup;
 use crate::appearance::{Filter, Rgba, Sampler, Texture, Wrap};
 use crate::limits::{MAX_OBJECTS, MAX_SCENE_BYTES, MAX_ZEROS};
@@ -25,8 +28,13 @@ use crate::progress::{Activity, Progress, pause};
 use crate::sanitize::{self, escaped};
 use crate::scene::mesh::polygon::Triangulator;
 use crate::scene::read_error::Beside;
-use crate::scene::texture::{Alpha, CornerUv, Textures};
-use crate::scene::{GlbFault, GltfFault, JsonFault, Mesh, MeshError, MeshNotice, TextureError};
+use crate::scene::texture::{Alpha, Textures};
+use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, TextureError};
+
+/// The extensions that are read.
+const EXTENSIONS: [&str; 2] = [QUANTIZED, "KHR_texture_transform"];
+/// Attributes of whole numbers.
+const QUANTIZED: &str = "KHR_mesh_quantization";
 
 /// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.
 ///
@@ -36,8 +44,14 @@ pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
     progress.begin(Activity::Reading, 0);
     let Gltf { document, blob } = parse(bytes)?;
     let buffers = buffers(&document, blob, read_file)?;
-    let reader = Reader { buffers, left: Cell::new(MAX_SCENE_BYTES), zeros_left: Cell::new(MAX_ZEROS) };
-    let mut meshes: BTreeMap<(usize, usize), Option<Surface>> = BTreeMap::new();
+    let reader = Reader {
+        buffers,
+        is_quantized: document.extensions_used().any(|name| name == QUANTIZED),
+        left: Cell::new(MAX_SCENE_BYTES),
+        zeros_left: Cell::new(MAX_ZEROS),
+    };
+    let mut left_out = unused(document.as_json());
+    let mut meshes: BTreeMap<(usize, usize), Option<Part>> = BTreeMap::new();
     let mut materials = Materials { reader: &reader, textures: Textures::default(), notices: Vec::new() };
     let mut parts = Vec::new();
     for (node, world) in nodes(&document)? {
@@ -49,36 +63,51 @@ pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
                 return Err(MeshError::Cancelled);
             }
             let key = (mesh.index(), primitive.index());
-            let surface = match meshes.get(&key) {
+            let part = match meshes.get(&key) {
                 Some(known) => known.clone(),
                 None => {
-                    let made = reader.surface(&primitive, &place("meshes", mesh.index()))?;
+                    let made = reader.part(&primitive, &place("meshes", mesh.index()), &mut left_out)?;
                     meshes.entry(key).or_insert(made).clone()
                 }
             };
             if parts.len() >= MAX_OBJECTS {
                 return Err(MeshError::TooManyObjects);
             }
-            if let Some((mesh, uv)) = surface {
+            if let Some(part) = part {
                 let material = primitive.material();
-                let texture = if uv.is_empty() { None } else { materials.texture(&material, read_file) };
+                let texture = if part.uv.is_empty() { None } else { materials.texture(&material, read_file) };
                 parts.push(Part {
                     name: name.to_owned(),
-                    two_sided: material.double_sided() || !mesh.closed,
-                    mesh,
+                    two_sided: material.double_sided() || part.two_sided,
                     file_from_part: world,
-                    color: material.index().map(|_| color(&material)),
-                    uv,
+                    color: part.color.or_else(|| material.index().map(|_| color(&material, [1.0; 4]))),
                     texture,
+                    ..part
                 });
             }
         }
     }
-    Ok(Imported { parts, notices: materials.notices })
+    let notices = left_out.notice().into_iter().chain(materials.notices).collect();
+    Ok(Imported { parts, notices })
 }
 
-/// The triangles of a primitive, and the texture coordinates of their corners.
-type Surface = (Arc<Mesh>, Arc<Vec<CornerUv>>);
+/// The lists of a file that aren't drawn.
+fn unused(root: &Root) -> LeftOut {
+    let mut left_out = LeftOut::default();
+    left_out.add("animations", root.animations.len());
+    left_out.add("skins", root.skins.len());
+    left_out.add("cameras", root.cameras.len());
+    left_out.add("scenes", root.scenes.len().saturating_sub(1));
+    let base = |material: &::gltf::json::Material| {
+        Some(material.pbr_metallic_roughness.base_color_texture.as_ref()?.index.value())
+    };
+    let used: BTreeSet<usize> = root.materials.iter().filter_map(base).collect();
+    left_out.add("textures", root.textures.len().saturating_sub(used.len()));
+    for extension in root.extensions_used.iter().filter(|name| !EXTENSIONS.contains(&name.as_str())) {
+        left_out.add(extension, 1);
+    }
+    left_out
+}
 
 /// The textures of materials.
 struct Materials<'a> {
@@ -167,46 +196,71 @@ fn place(list: &str, index: usize) -> String {
 
 fn parse(bytes: &[u8]) -> Result<Gltf, MeshError> {
     let container = |broken: GlbFault| fault("", GltfFault::Container { fault: broken });
+    let version = |found: String| fault("asset", GltfFault::Version { found });
+    let mut json = Cow::Borrowed(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes));
+    let mut blob = None;
     if bytes.starts_with(b"glTF") {
+        let word = |at: usize| bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+        if let Some(other) = word(4).filter(|&number| number != 2) {
+            return Err(version(other.to_string()));
+        }
         // The crate subtracts the header from this length without looking.
-        let length = bytes.get(8..12).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
-        if length.is_none_or(|length| length < 12) {
+        if word(8).is_none_or(|length| length < 12) {
             return Err(container(GlbFault::Header));
         }
+        let glb = ::gltf::Glb::from_slice(bytes).map_err(|error| match error {
+            ::gltf::Error::Binary(::gltf::binary::Error::ChunkType(_) | ::gltf::binary::Error::UnknownChunkType(_)) => {
+                container(GlbFault::Parts)
+            }
+            _ => container(GlbFault::End),
+        })?;
+        (json, blob) = (glb.json, glb.bin.map(Cow::into_owned));
     }
+    let mut root: Root = serde_json::from_slice(&json).map_err(|error| match old_version(&json) {
+        // Version 1 has objects in place of lists.
+        Some(old) => version(old),
+        None => MeshError::Json { line: error.line(), column: error.column(), fault: json_fault(&error) },
+    })?;
+    let versions = [Some(&root.asset.version), root.asset.min_version.as_ref()];
+    if let Some(other) = versions.into_iter().flatten().find(|version| !is_second(version)) {
+        return Err(version(escaped(other)));
+    }
+    if let Some(other) = root.extensions_required.iter().find(|name| !EXTENSIONS.contains(&name.as_str())) {
+        return Err(fault("extensionsRequired", GltfFault::Extension { found: escaped(other) }));
+    }
+    // The crate doesn't know it. Nothing else of it needs a check.
+    root.extensions_required.retain(|name| name != QUANTIZED);
     // The crate's check of positions indexes the list of accessors without looking.
-    if let Ok(unchecked) = Gltf::from_slice_without_validation(bytes) {
-        let root = unchecked.document.as_json();
-        let asset = &root.asset;
-        let is_second = |version: &str| version == "2" || version.starts_with("2.");
-        if let Some(version) =
-            [Some(&asset.version), asset.min_version.as_ref()].into_iter().flatten().find(|v| !is_second(v))
-        {
-            return Err(fault("asset", GltfFault::Version { found: escaped(version) }));
-        }
-        for (i, mesh) in root.meshes.iter().enumerate() {
-            for (j, primitive) in mesh.primitives.iter().enumerate() {
-                let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions));
-                if positions.is_some_and(|accessor| accessor.value() >= root.accessors.len()) {
-                    let place = format!("meshes[{i}].primitives[{j}].attributes[\"POSITION\"]");
-                    return Err(fault(place, GltfFault::Reference));
-                }
+    for (i, mesh) in root.meshes.iter().enumerate() {
+        for (j, primitive) in mesh.primitives.iter().enumerate() {
+            let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions));
+            if positions.is_some_and(|accessor| accessor.value() >= root.accessors.len()) {
+                let place = format!("meshes[{i}].primitives[{j}].attributes[\"POSITION\"]");
+                return Err(fault(place, GltfFault::Reference));
             }
         }
     }
-    Gltf::from_slice(bytes).map_err(|error| match error {
-        ::gltf::Error::Deserialize(e) => MeshError::Json { line: e.line(), column: e.column(), fault: json_fault(&e) },
+    let document = Document::from_json(root).map_err(|error| match error {
         ::gltf::Error::Validation(all) => match all.into_iter().next() {
             Some((path, error)) => fault(sanitize::within(&path.to_string(), 80), broken_rule(error)),
             None => fault("", GltfFault::Value),
         },
-        ::gltf::Error::Binary(::gltf::binary::Error::Version(_)) => container(GlbFault::Version),
-        ::gltf::Error::Binary(::gltf::binary::Error::Magic(_)) => container(GlbFault::Header),
-        ::gltf::Error::Binary(::gltf::binary::Error::ChunkType(_) | ::gltf::binary::Error::UnknownChunkType(_)) => {
-            container(GlbFault::Parts)
-        }
-        _ => container(GlbFault::End),
-    })
+        _ => fault("", GltfFault::Value),
+    })?;
+    Ok(Gltf { document, blob })
+}
+
+fn is_second(version: &str) -> bool {
+    version == "2" || version.starts_with("2.")
+}
+
+/// The version of a file that isn't of version 2.
+fn old_version(json: &[u8]) -> Option<String> {
+    let keys: BTreeMap<String, &RawValue> = serde_json::from_slice(json).ok()?;
+    let asset: serde_json::Value = serde_json::from_str(keys.get("asset")?.get()).ok()?;
+    let version = asset.get("version")?;
+    let version = version.as_str().map_or_else(|| version.to_string(), str::to_owned);
+    (!is_second(&version)).then(|| escaped(&version))
 }
 
 /// The fault found by the JSON parser, without its words, which repeat the place and the contents of the file at any
@@ -324,14 +378,10 @@ fn matrix(node: &::gltf::Node<'_>) -> DMat4 {
     }
 }
 
-/// The base colour. glTF's factors are linear light.
-fn color(material: &::gltf::Material<'_>) -> Rgba {
-    let [r, g, b, a] = material.pbr_metallic_roughness().base_color_factor().map(|c| f64::from(c).clamp(0.0, 1.0));
-    let byte = |share: f64| {
-        #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
-        let byte = (share * 255.0).round() as u8;
-        byte
-    };
+/// The base colour times a factor. glTF's numbers are linear light.
+fn color(material: &::gltf::Material<'_>, times: [f32; 4]) -> Rgba {
+    let factor = material.pbr_metallic_roughness().base_color_factor();
+    let [r, g, b, a] = from_fn(|k| f64::from(factor[k] * times[k]).clamp(0.0, 1.0));
     let [r, g, b] =
         [r, g, b].map(|c| byte(if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }));
     Rgba::rgba(r, g, b, if material.alpha_mode() == AlphaMode::Opaque { 255 } else { byte(a) })
@@ -339,6 +389,8 @@ fn color(material: &::gltf::Material<'_>) -> Rgba {
 
 struct Reader {
     buffers: Vec<Rc<Vec<u8>>>,
+    /// Points and normals may be whole numbers, and whole numbers may be no shares.
+    is_quantized: bool,
     /// Bytes that accessors may still hold in all. Many can name the same bytes.
     left: Cell<usize>,
     /// Items that may still be 0 because no bytes are behind them.
@@ -361,35 +413,59 @@ impl Items<'_> {
 
 impl Reader {
     /// The triangles of a primitive. `None` for points and lines.
-    fn surface(&self, primitive: &Primitive<'_>, mesh: &str) -> Result<Option<Surface>, MeshError> {
+    fn part(&self, primitive: &Primitive<'_>, mesh: &str, left_out: &mut LeftOut) -> Result<Option<Part>, MeshError> {
         let mesh = format!("{mesh}.primitives[{}]", primitive.index());
         if !matches!(primitive.mode(), Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
+            left_out.add(&format!("{:?}", primitive.mode()), 1);
             return Ok(None);
         }
         let Some(positions) = primitive.get(&Semantic::Positions) else { return Ok(None) };
         let positions = self.vectors(&positions)?;
+        let count = positions.len();
         let normals = match primitive.get(&Semantic::Normals) {
-            Some(accessor) if accessor.count() == positions.len() => self.vectors(&accessor)?,
+            Some(accessor) if accessor.count() == count => self.vectors(&accessor)?,
             _ => Vec::new(),
         };
+        let uv = self.texture_coordinates(primitive, count)?;
+        let colors = self.colors(primitive, count)?;
+        for (semantic, _) in primitive.attributes() {
+            use Semantic::{Colors, Normals, Positions, TexCoords};
+            let is_used = matches!(semantic, Positions | Normals | TexCoords(_) | Colors(0));
+            left_out.add(&semantic.to_string(), usize::from(!is_used));
+        }
+        left_out.add("targets", primitive.morph_targets().count());
         let order = match primitive.indices() {
             Some(accessor) => self.indices(&accessor)?,
-            None => (0..u32::try_from(positions.len()).map_err(|_| MeshError::TooLarge)?).collect(),
+            None => (0..u32::try_from(count).map_err(|_| MeshError::TooLarge)?).collect(),
         };
-        if let Some(&found) = order.iter().find(|&&i| i as usize >= positions.len()) {
-            return Err(fault(mesh, GltfFault::Index { found, vertices: positions.len() }));
+        if let Some(&found) = order.iter().find(|&&i| i as usize >= count) {
+            return Err(fault(mesh, GltfFault::Index { found, vertices: count }));
         }
         let corners = match primitive.mode() {
             Mode::TriangleStrip => strip(&order),
             Mode::TriangleFan => order.windows(2).skip(1).flat_map(|w| [order[0], w[0], w[1]]).collect(),
             _ => order,
         };
-        let uv = self.texture_coordinates(primitive, positions.len())?;
-        let corner_uv = if uv.is_empty() { Vec::new() } else { corners.iter().map(|&i| uv[i as usize]).collect() };
-        let mut soup = Soup { positions, normals, corners, corner_uv, ..Soup::default() };
+        let corner_uv = corners.iter().filter_map(|&i| uv.get(i as usize).copied()).collect();
+        let corner_colors = corners.iter().filter_map(|&i| colors.get(i as usize).copied()).collect();
+        let mut soup = Soup { positions, normals, corners, corner_uv, corner_colors, ..Soup::default() };
         soup.weld();
-        let (mesh, uv) = soup.into_mesh(&mut Triangulator::default())?;
-        Ok(Some((Arc::new(mesh), Arc::new(uv))))
+        Ok(Some(soup.into_part(&mut Triangulator::default())?))
+    }
+
+    /// The colours of the vertices, that of the material in them. None if it has none.
+    fn colors(&self, primitive: &Primitive<'_>, count: usize) -> Result<Vec<Rgba>, MeshError> {
+        let Some(accessor) = primitive.get(&Semantic::Colors(0)).filter(|accessor| accessor.count() == count) else {
+            return Ok(Vec::new());
+        };
+        let material = primitive.material();
+        Ok(match accessor.dimensions() {
+            Dimensions::Vec3 => {
+                let colors = self.numbers::<3>(&accessor, Dimensions::Vec3)?;
+                colors.map(|[r, g, b]| color(&material, [r, g, b, 1.0])).collect()
+            }
+            _ => self.numbers::<4>(&accessor, Dimensions::Vec4)?.map(|times| color(&material, times)).collect(),
+        })
     }
 
     /// The texture coordinates of the vertices, as the material's texture turns and moves them. None if it has none.
@@ -402,7 +478,7 @@ impl Reader {
         else {
             return Ok(Vec::new());
         };
-        let mut uv = self.pairs(&accessor)?;
+        let mut uv: Vec<[f32; 2]> = self.numbers(&accessor, Dimensions::Vec2)?.collect();
         if let Some(transform) = transform {
             // Offset · rotation · scale, as the extension defines them.
             let ([x, y], [wide, high]) = (transform.offset(), transform.scale());
@@ -418,16 +494,28 @@ impl Reader {
         Ok(uv)
     }
 
-    /// Pairs of numbers, whole ones as shares of the greatest.
-    fn pairs(&self, accessor: &Accessor<'_>) -> Result<Vec<[f32; 2]>, MeshError> {
-        let read: fn(&[u8]) -> f32 = match (accessor.data_type(), accessor.dimensions()) {
-            (DataType::F32, Dimensions::Vec2) => |b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]),
-            (DataType::U8, Dimensions::Vec2) => |b| f32::from(b[0]) / 255.0,
-            (DataType::U16, Dimensions::Vec2) => |b| f32::from(u16::from_le_bytes([b[0], b[1]])) / 65_535.0,
-            _ => return Err(unsupported(accessor)),
+    /// Items of `N` numbers. Whole ones are shares of the greatest, unless a quantized file says otherwise.
+    fn numbers<const N: usize>(
+        &self,
+        accessor: &Accessor<'_>,
+        dimensions: Dimensions,
+    ) -> Result<impl Iterator<Item = [f32; N]>, MeshError> {
+        let (read, most): (fn(&[u8]) -> f32, f32) = match accessor.data_type() {
+            DataType::F32 => (|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]), 1.0),
+            DataType::U8 => (|b| f32::from(b[0]), 255.0),
+            DataType::I8 => (|b| f32::from(i8::from_le_bytes([b[0]])), 127.0),
+            DataType::U16 => (|b| f32::from(u16::from_le_bytes([b[0], b[1]])), 65_535.0),
+            DataType::I16 => (|b| f32::from(i16::from_le_bytes([b[0], b[1]])), 32_767.0),
+            DataType::U32 => return Err(unsupported(accessor)),
         };
+        if accessor.dimensions() != dimensions {
+            return Err(unsupported(accessor));
+        }
         let width = accessor.data_type().size();
-        Ok(self.items::<2>(accessor)?.iter().map(|b| [read(&b[..width]), read(&b[width..])]).collect())
+        let is_share = most > 1.0 && (accessor.normalized() || !self.is_quantized);
+        let number = |b: &[u8]| if is_share { (read(b) / most).max(-1.0) } else { read(b) };
+        let items = self.items::<N>(accessor)?;
+        Ok(items.iter().map(|b| from_fn(|k| number(&b[k * width..][..width]))).collect::<Vec<_>>().into_iter())
     }
 
     /// The bytes of the items of an accessor with `N` components, all of equal length.
@@ -482,12 +570,11 @@ impl Reader {
 
     /// Points or normals.
     fn vectors(&self, accessor: &Accessor<'_>) -> Result<Vec<DVec3>, MeshError> {
-        if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
+        if accessor.data_type() != DataType::F32 && !self.is_quantized {
             return Err(unsupported(accessor));
         }
-        let number = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
-        let vector = |b: &[u8]| DVec3::new(number(&b[..4]), number(&b[4..8]), number(&b[8..]));
-        let vectors: Vec<DVec3> = self.items::<3>(accessor)?.iter().map(vector).collect();
+        let vectors = self.numbers::<3>(accessor, Dimensions::Vec3)?;
+        let vectors: Vec<DVec3> = vectors.map(|vector| DVec3::from(vector.map(f64::from))).collect();
         let is_finite = vectors.iter().all(|v| v.is_finite());
         if is_finite { Ok(vectors) } else { Err(of_accessor(accessor, GltfFault::NotFinite)) }
     }

@@ -5,7 +5,9 @@ mod error;
 mod gltf;
 mod obj;
 mod part;
+mod ply;
 mod soup;
+mod stl;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,11 +16,17 @@ use crate::appearance::Texture;
 use crate::progress::{Progress, at_once};
 use crate::scene::texture::{Alpha, Textures, UvMesh};
 use crate::scene::{Mesh, ReadFile, TextureError, Wanted};
-pub use error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
+pub use error::{GlbFault, GltfFault, JsonFault, MeshError, MeshFault, MeshNotice};
 pub use part::{Imported, Part, PartTexture};
 
 /// The extensions of mesh files.
-pub const MESH_ENDINGS: &[&str] = if cfg!(feature = "import") { &["obj", "gltf", "glb"] } else { &["obj"] };
+pub const MESH_ENDINGS: &[&str] =
+    if cfg!(feature = "import") { &["obj", "gltf", "glb", "stl", "ply"] } else { &["obj", "stl", "ply"] };
+
+/// The extensions of mesh files, as a list in a sentence.
+pub fn mesh_endings() -> String {
+    MESH_ENDINGS.iter().map(|ending| format!(".{ending}")).collect::<Vec<_>>().join(", ")
+}
 
 /// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN). A material
 /// library that can't be read is left out, and its materials then have no colour. Pauses after each stretch of the
@@ -36,6 +44,8 @@ pub async fn import(
     let mut beside = |name: &str| read_file(Wanted { path: &companion(path, name), named_by: Some(path) });
     let imported = match ending.as_deref() {
         Some("obj") => obj::read(bytes, &mut beside, progress).await?,
+        Some("stl") => stl::read(bytes, progress).await?,
+        Some("ply") => ply::read(bytes, progress).await?,
         #[cfg(feature = "import")]
         Some("gltf" | "glb") => gltf::read(bytes, &mut beside, progress).await?,
         _ => return Err(MeshError::Format),

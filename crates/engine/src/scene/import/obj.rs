@@ -1,113 +1,108 @@
-//! Wavefront OBJ: points, normals, texture coordinates, faces, objects, and the colours and textures of their
-//! materials. All other content is left out. Faults of other programs that don't harm the surface are left out with a
-//! [`MeshNotice`].
+//! Wavefront OBJ: points with their colours, normals, texture coordinates, faces, objects, and the colours and textures
+//! of their materials. All other entries, and faults of other programs that don't harm the surface, are left out with a
+//! [`MeshNotice`]. How a material shines isn't read.
 
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
-use std::sync::Arc;
 
-use glam::{DMat4, DVec3};
+use glam::DVec3;
 
-use super::part::{Imported, Part, PartTexture, note};
+use super::part::{Imported, LeftOut, Part, PartTexture, Stretches, byte, note, vertex_colors};
 use super::soup::Soup;
 use crate::appearance::{Rgba, Sampler, Wrap};
 use crate::limits::MAX_OBJECTS;
-use crate::progress::{Activity, Progress, pause};
+use crate::progress::{Progress, pause};
 use crate::sanitize::escaped;
 use crate::scene::mesh::index_u32;
 use crate::scene::mesh::polygon::Triangulator;
 use crate::scene::read_error::Beside;
 use crate::scene::texture::{Alpha, Textures};
-use crate::scene::{MeshError, MeshNotice, ObjFault};
-
-/// Bytes read between two checks whether the work was cancelled.
-const STRETCH: usize = 1 << 16;
+use crate::scene::{MeshError, MeshFault, MeshNotice};
 
 /// The objects of an OBJ file. One that has several materials comes in several parts, one for each, however often the
 /// file changes between them.
 ///
 /// # Errors
-/// [`MeshError::Obj`] with the line, and [`MeshError::Cancelled`].
+/// [`MeshError::Line`] and [`MeshError::Cancelled`].
 pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
     let mut file = ObjFile::default();
-    let mut lines = Lines { rest: bytes, number: 0 };
-    progress.begin(Activity::Reading, bytes.len());
-    let mut told = bytes.len();
-    while let Some(line) = lines.next() {
-        if told - lines.rest.len() >= STRETCH {
-            progress.advance_and_pause(told - lines.rest.len()).await;
-            told = lines.rest.len();
-            if progress.is_cancelled() {
-                return Err(MeshError::Cancelled);
-            }
-        }
+    let mut lines = Lines::new(bytes);
+    let mut stretches = Stretches::begin(progress, bytes);
+    while let Some(line) = lines.whole() {
+        stretches.advance_to(bytes.len() - lines.rest.len()).await?;
         let number = lines.number;
-        file.read_line(&line, number, read_file).map_err(|fault| MeshError::Obj { line: number, fault })?;
+        file.read_line(&line, number, read_file).map_err(|fault| MeshError::Line { line: number, fault })?;
         if file.parts.len() > MAX_OBJECTS {
             return Err(MeshError::TooManyObjects);
         }
     }
     if let Some((line, found)) = file.points_ahead.beyond(file.points.len()) {
-        return Err(MeshError::Obj { line, fault: file.no_such_point(&found) });
+        return Err(MeshError::Line { line, fault: file.no_such_point(&found) });
     }
     file.end_part();
     let mut notices = file.notices();
     let mut textures = Textures::default();
     let mut parts = Vec::new();
     let mut triangulator = Triangulator::default();
-    for part in std::mem::take(&mut file.parts) {
+    let colors = vertex_colors(&file.colors);
+    for faces in std::mem::take(&mut file.parts) {
         pause().await;
         if progress.is_cancelled() {
             return Err(MeshError::Cancelled);
         }
-        let (mesh, uv) = file.soup(&part).into_mesh(&mut triangulator)?;
-        if mesh.triangles.is_empty() {
+        let material = faces.material.and_then(|index| file.materials.get(index)).filter(|material| material.is_known);
+        let part = file.soup(&faces, &colors, material).into_part(&mut triangulator)?;
+        if part.mesh.triangles.is_empty() {
             continue;
         }
-        let material = part.material.and_then(|index| file.materials.get(index));
         if let Some(invisible) = material.filter(|material| material.is_invisible()) {
             note(&mut notices, MeshNotice::Invisible { material: escaped(&invisible.name) });
         }
-        let color = material.map(Material::color);
-        let two_sided = !mesh.closed;
-        let map = material.and_then(|material| material.map.as_ref()).filter(|_| !uv.is_empty());
+        let map = material.and_then(|material| material.map.as_ref()).filter(|_| !part.uv.is_empty());
         let texture = map.and_then(|map| {
             PartTexture::new(textures.get(&map.file, Alpha::Ignored, read_file), map.sampler(), &mut notices)
         });
         parts.push(Part {
-            name: part.name,
-            two_sided,
-            mesh: Arc::new(mesh),
-            file_from_part: DMat4::IDENTITY,
-            color,
-            uv: Arc::new(uv),
+            name: faces.name,
+            color: part.color.or_else(|| material.map(Material::color)),
             texture,
+            ..part
         });
     }
-    if triangulator.cut_as_convex > 0 {
-        notices.push(MeshNotice::CutAsConvex { count: triangulator.cut_as_convex });
-    }
+    notices.extend(triangulator.notice());
     Ok(Imported { parts, notices })
 }
 
-/// The lines of a file. One that ends with `\` continues in the next.
-struct Lines<'a> {
-    rest: &'a [u8],
+/// The lines of a text, which ends them with LF, CR LF or CR, and may begin with a byte order mark.
+pub(super) struct Lines<'a> {
+    pub(super) rest: &'a [u8],
     /// The number of the last line that was read, from 1.
-    number: usize,
+    pub(super) number: usize,
 }
 
-impl Lines<'_> {
-    fn next(&mut self) -> Option<String> {
+impl<'a> Lines<'a> {
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
+        Self { rest: bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes), number: 0 }
+    }
+
+    /// The next line, without its end and blanks before that.
+    pub(super) fn line(&mut self) -> Option<&'a [u8]> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        let length = self.rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(self.rest.len());
+        let (line, end) = self.rest.split_at(length);
+        self.rest = end.strip_prefix(b"\r\n").or(end.get(1..)).unwrap_or_default();
+        self.number += 1;
+        Some(line.trim_ascii_end())
+    }
+
+    /// The next line. One that ends with `\` continues in the next.
+    fn whole(&mut self) -> Option<String> {
         let mut whole = Vec::new();
-        while !self.rest.is_empty() {
-            let end = self.rest.iter().position(|&b| b == b'\n').map_or(self.rest.len(), |n| n + 1);
-            let (line, rest) = self.rest.split_at(end);
-            self.rest = rest;
-            self.number += 1;
-            let line = line.trim_ascii_end();
+        while let Some(line) = self.line() {
             match line.strip_suffix(b"\\") {
-                Some(begun) if !rest.is_empty() => {
+                Some(begun) if !self.rest.is_empty() => {
                     whole.extend_from_slice(begun);
                     whole.push(b' ');
                 }
@@ -125,6 +120,8 @@ impl Lines<'_> {
 #[derive(Default)]
 struct ObjFile {
     points: Vec<DVec3>,
+    /// The colours behind the coordinates of points, up to the last one that has any. NaN if a point has none.
+    colors: Vec<[f32; 4]>,
     normals: Vec<DVec3>,
     /// (0, 0) at the top left of the picture.
     texture_coordinates: Vec<[f32; 2]>,
@@ -139,10 +136,14 @@ struct ObjFile {
     /// The first face with fewer than three corners (its line and their number), and how many such faces there are.
     skipped: Option<(usize, usize)>,
     skipped_count: usize,
+    left_out: LeftOut,
+    smoothing_groups: usize,
     materials: Vec<Material>,
     material_of: HashMap<String, usize>,
     /// The material libraries requested.
     libraries: HashSet<String>,
+    /// One of them can't be read.
+    library_lacks: bool,
     parts: Vec<Faces>,
     /// Their places, by name and material.
     part_of: HashMap<(String, Option<usize>), usize>,
@@ -184,6 +185,8 @@ struct Faces {
 #[derive(Clone, Default)]
 struct Material {
     name: String,
+    /// A library has it.
+    is_known: bool,
     diffuse: Option<[f64; 3]>,
     opacity: Option<f64>,
     map: Option<Map>,
@@ -244,37 +247,35 @@ impl Material {
     }
 }
 
-fn byte(share: f64) -> u8 {
-    #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
-    let byte = (share.clamp(0.0, 1.0) * 255.0).round() as u8;
-    byte
-}
-
 impl ObjFile {
-    fn read_line(&mut self, line: &str, number: usize, read_file: &mut Beside<'_>) -> Result<(), ObjFault> {
+    fn read_line(&mut self, line: &str, number: usize, read_file: &mut Beside<'_>) -> Result<(), MeshFault> {
         let line = line.trim_start();
         let (keyword, values) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
         // Names may hold a #, numbers are followed by comments.
         let name = values.trim();
         let numbers = values.split('#').next().unwrap_or_default();
         match keyword {
-            "v" => self.points.push(point(numbers)?),
-            "vn" => self.normals.push(vector(numbers)?),
+            "v" => self.point(numbers)?,
+            "vn" => self.normals.push(vector(numbers.split_whitespace())?),
             "vt" => self.texture_coordinates.push(texture_coordinate(numbers)),
-            "f" => self.face(numbers, number)?,
+            "f" | "fo" => self.face(numbers, number)?,
             "o" | "g" if !name.is_empty() => {
                 self.end_part();
                 name.clone_into(&mut self.open.name);
             }
             "usemtl" if !name.is_empty() => {
-                let material = self.material_of.get(name).copied();
+                // Its library may come later.
+                let material = Some(self.material(name));
                 if material != self.open.material {
                     self.end_part();
                 }
                 self.open.material = material;
             }
-            "mtllib" if !name.is_empty() => self.library(name, read_file),
-            _ => {}
+            "mtllib" => file_names(name).for_each(|name| self.library(name, read_file)),
+            "s" => self.smoothing_groups += 1,
+            "o" | "g" | "usemtl" | "" => {}
+            _ if keyword.starts_with('#') => {}
+            _ => self.left_out.add(keyword, 1),
         }
         Ok(())
     }
@@ -299,36 +300,68 @@ impl ObjFile {
         }
     }
 
+    /// A point: three coordinates. A fourth number is its weight, and three more are its colour.
+    fn point(&mut self, values: &str) -> Result<(), MeshFault> {
+        let point = vector(values.split_whitespace())?;
+        let more = || values.split_whitespace().skip(3);
+        let count = more().count();
+        let weight = if count == 1 { more().next() } else { None };
+        let divided = weight.map_or(Ok(point), |weight| Ok(point / number(weight)?))?;
+        if !divided.is_finite() {
+            return Err(MeshFault::Number { found: escaped(weight.unwrap_or_default()) });
+        }
+        self.points.push(divided);
+        let channels: Vec<f32> = more().take(3).map_while(|word| word.parse().ok()).collect();
+        if let [r, g, b] = channels[..] {
+            self.colors.resize(self.points.len() - 1, [f32::NAN; 4]);
+            self.colors.push([r, g, b, f32::INFINITY]);
+        }
+        self.left_out.add("v x y z …", usize::from(!matches!((count, channels.len()), (0 | 1, _) | (3, 3))));
+        Ok(())
+    }
+
+    /// The index of the material with this name.
+    fn material(&mut self, name: &str) -> usize {
+        if let Some(&known) = self.material_of.get(name) {
+            return known;
+        }
+        self.material_of.insert(name.to_owned(), self.materials.len());
+        self.materials.push(Material { name: name.to_owned(), ..Material::default() });
+        self.materials.len() - 1
+    }
+
     /// Reads a material library. If it can't be read, its materials have no colour.
     fn library(&mut self, name: &str, read_file: &mut Beside<'_>) {
         if !self.libraries.insert(name.to_owned()) {
             return;
         }
-        let Ok(bytes) = read_file(name) else { return };
+        let Ok(bytes) = read_file(name) else { return self.library_lacks = true };
+        let mut lines = Lines::new(&bytes);
         let mut material = None;
-        for line in String::from_utf8_lossy(&bytes).lines() {
+        while let Some(line) = lines.whole() {
             let line = line.trim();
             let (keyword, values) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
             let numbers: Vec<f64> = values.split_whitespace().map_while(|word| word.parse().ok()).collect();
             if keyword == "newmtl" && !values.trim().is_empty() {
-                self.material_of.insert(values.trim().to_owned(), self.materials.len());
-                self.materials.push(Material { name: values.trim().to_owned(), ..Material::default() });
-                material = self.materials.len().checked_sub(1);
+                let index = self.material(values.trim());
+                self.materials[index] =
+                    Material { name: values.trim().to_owned(), is_known: true, ..Material::default() };
+                material = Some(index);
             }
             let Some(material) = material.and_then(|index| self.materials.get_mut(index)) else { continue };
-            if keyword == "map_Kd" {
-                material.map = Map::read(values);
-            }
             match (keyword, &numbers[..]) {
+                ("map_Kd", _) => material.map = Map::read(values),
                 ("Kd", &[r, g, b, ..]) => material.diffuse = Some([r, g, b]),
                 ("d", &[opacity, ..]) => material.opacity = Some(opacity),
                 ("Tr", &[transparency, ..]) => material.opacity = Some(1.0 - transparency),
+                ("bump" | "disp" | "decal" | "norm" | "refl", _) => self.left_out.add(keyword, 1),
+                _ if keyword.starts_with("map_") => self.left_out.add(keyword, 1),
                 _ => {}
             }
         }
     }
 
-    fn face(&mut self, values: &str, line: usize) -> Result<(), ObjFault> {
+    fn face(&mut self, values: &str, line: usize) -> Result<(), MeshFault> {
         let found = values.split_whitespace().count();
         if found < 3 {
             self.skipped.get_or_insert((line, found));
@@ -336,7 +369,7 @@ impl ObjFile {
             return Ok(());
         }
         for word in values.split_whitespace() {
-            let corner = ObjCorner::read(word).ok_or_else(|| ObjFault::Corner { found: escaped(word) })?;
+            let corner = ObjCorner::read(word).ok_or_else(|| MeshFault::Corner { found: escaped(word) })?;
             let point = from_one(corner.point, self.points.len()).ok_or_else(|| self.no_such_point(word))?;
             self.points_ahead.note(point, self.points.len(), word, line);
             let mut beside = |index: Option<i64>, so_far: usize, ahead: &mut Ahead| {
@@ -358,8 +391,8 @@ impl ObjFile {
         Ok(())
     }
 
-    fn no_such_point(&self, corner: &str) -> ObjFault {
-        ObjFault::Index { found: escaped(corner), points: self.points.len() }
+    fn no_such_point(&self, corner: &str) -> MeshFault {
+        MeshFault::Index { found: escaped(corner), points: self.points.len() }
     }
 
     /// The parts of the file that were left out. Collected at its end. A face may come before the points it names.
@@ -369,17 +402,37 @@ impl ObjFile {
         let lost = self.impossible.take().into_iter().chain(no_normal);
         let lost = lost.chain(self.texture_coordinates_ahead.beyond(self.texture_coordinates.len()));
         let lost = lost.min().map(|(line, found)| MeshNotice::IndexIgnored { line, found: escaped(&found) });
+        if self.normals_lack {
+            // All are found from the faces.
+            self.left_out.add("s", self.smoothing_groups);
+            self.left_out.add("vn", if lost.is_none() { self.normals.len() } else { 0 });
+        }
         let count = self.skipped_count;
         let skipped = self.skipped.map(|(line, found)| MeshNotice::FacesSkipped { line, found, count });
-        lost.into_iter().chain(skipped).collect()
+        let left_out = std::mem::take(&mut self.left_out).notice();
+        let mut unknown = self.materials.iter().filter(|material| !material.is_known && !self.library_lacks);
+        let first = unknown.next().map(|first| escaped(&first.name));
+        let unknown = first.map(|material| MeshNotice::NoMaterial { material, count: 1 + unknown.count() });
+        lost.into_iter().chain(skipped).chain(left_out).chain(unknown).collect()
     }
 
     /// A part with only those points and normals that it uses, in the order in which it does.
-    fn soup(&self, part: &Faces) -> Soup {
+    fn soup(&self, part: &Faces, colors: &[Rgba], material: Option<&Material>) -> Soup {
         let mut soup = Soup { arities: part.arities.clone(), ..Soup::default() };
         let (mut point_of, mut normal_of) = (HashMap::new(), HashMap::new());
         let has_uv = part.corners.iter().any(|(_, _, uv)| uv.is_some());
+        // In place of the colour of the material, with its opacity.
+        let color = |point: usize| {
+            let is_there = self.colors.get(point).is_some_and(|[r, ..]| !r.is_nan());
+            let color = colors.get(point).filter(|_| is_there)?;
+            Some(Rgba { a: material.map_or(255, |material| material.color().a), ..*color })
+        };
+        let has_colors = part.corners.iter().any(|(point, ..)| color(*point).is_some());
+        let unsaid = material.unwrap_or(&Material::default()).color();
         for &(point, normal, uv) in &part.corners {
+            if has_colors {
+                soup.corner_colors.push(color(point).unwrap_or(unsaid));
+            }
             if has_uv {
                 let own = uv.and_then(|uv| self.texture_coordinates.get(uv).copied());
                 soup.corner_uv.push(own.unwrap_or_default());
@@ -430,13 +483,14 @@ impl ObjCorner {
     }
 }
 
-/// A point: three coordinates. A fourth number is its weight, and more numbers are the colour of the vertex.
-fn point(values: &str) -> Result<DVec3, ObjFault> {
-    let words: Vec<&str> = values.split_whitespace().collect();
-    let point = vector(values)?;
-    let [_, _, _, weight] = words[..] else { return Ok(point) };
-    let divided = point / number(weight)?;
-    if divided.is_finite() { Ok(divided) } else { Err(ObjFault::Number { found: escaped(weight) }) }
+/// The names of libraries, which may have spaces. Each but the last ends with `.mtl`.
+fn file_names(names: &str) -> impl Iterator<Item = &str> {
+    let is_end =
+        |at: usize| names[..at].get(at.saturating_sub(4)..).is_some_and(|end| end.eq_ignore_ascii_case(".mtl"));
+    let mut first = 0;
+    let spaces = names.match_indices(char::is_whitespace).map(|(at, _)| at).chain([names.len()]);
+    let ends = spaces.filter(move |&at| at == names.len() || is_end(at));
+    ends.map(move |at| names[std::mem::replace(&mut first, at)..at].trim()).filter(|name| !name.is_empty())
 }
 
 /// The first two numbers, v downwards. Anything else counts as 0, which leaves the surface the same.
@@ -448,14 +502,16 @@ fn texture_coordinate(values: &str) -> [f32; 2] {
 }
 
 /// The first three numbers.
-fn vector(values: &str) -> Result<DVec3, ObjFault> {
-    let numbers: Vec<f64> = values.split_whitespace().take(3).map(number).collect::<Result<_, _>>()?;
-    match numbers[..] {
-        [x, y, z] => Ok(DVec3::new(x, y, z)),
-        _ => Err(ObjFault::Coordinates { found: numbers.len() }),
+pub(super) fn vector<'a>(words: impl Iterator<Item = &'a str>) -> Result<DVec3, MeshFault> {
+    let mut found = [0.0; 3];
+    let mut count = 0;
+    for (coordinate, word) in found.iter_mut().zip(words) {
+        *coordinate = number(word)?;
+        count += 1;
     }
+    if count == 3 { Ok(found.into()) } else { Err(MeshFault::Coordinates { found: count }) }
 }
 
-fn number(word: &str) -> Result<f64, ObjFault> {
-    word.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| ObjFault::Number { found: escaped(word) })
+pub(super) fn number(word: &str) -> Result<f64, MeshFault> {
+    word.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| MeshFault::Number { found: escaped(word) })
 }

@@ -5,15 +5,20 @@
 //! point, which is short except in hostile files. A side that two faces have in opposite directions joins them. If
 //! every side is like this, the surface is closed, and its back faces can be dropped.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
+use super::part::{Imported, LeftOut, Part};
+use crate::appearance::Rgba;
 use crate::geometry::try_unit;
 use crate::limits::MAX_VERTICES;
+use crate::progress::{Progress, pause};
+use crate::scene::MeshError;
 use crate::scene::mesh::Mesh;
-#[cfg(feature = "import")]
 use crate::scene::mesh::adjacency::places;
 use crate::scene::mesh::polygon::{self, Triangulator};
-use crate::scene::texture::CornerUv;
+use crate::scene::texture::{CornerUv, split};
 
 /// The threshold for missing normals, cos 45°. Faces that meet at less than this angle are smoothed together.
 const CREASE: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -40,6 +45,28 @@ pub(crate) struct Soup {
     pub(crate) corner_normals: Vec<u32>,
     /// For each corner, its texture coordinates. Empty means there are none.
     pub(crate) corner_uv: Vec<[f32; 2]>,
+    /// For each corner, its base colour. Empty means that of the material.
+    pub(crate) corner_colors: Vec<Rgba>,
+}
+
+/// The parts of a file that gives each its name, and nothing else, with the notice of what was left out.
+pub(super) async fn named_parts(
+    soups: Vec<(String, Soup)>,
+    left_out: LeftOut,
+    progress: &Progress,
+) -> Result<Imported, MeshError> {
+    let mut triangulator = Triangulator::default();
+    let mut parts = Vec::new();
+    for (name, mut soup) in soups {
+        pause().await;
+        if progress.is_cancelled() {
+            return Err(MeshError::Cancelled);
+        }
+        soup.weld();
+        parts.push(Part { name, ..soup.into_part(&mut triangulator)? });
+    }
+    parts.retain(|part| !part.mesh.triangles.is_empty());
+    Ok(Imported { parts, notices: left_out.notice().into_iter().chain(triangulator.notice()).collect() })
 }
 
 /// A soup with more corners than a mesh has indices.
@@ -48,7 +75,6 @@ pub(crate) struct TooLarge;
 
 impl Soup {
     /// Merges points with equal coordinates, because some formats repeat a point for each of its normals.
-    #[cfg(feature = "import")]
     pub(crate) fn weld(&mut self) {
         let first_of = places(&self.positions);
         if self.corner_normals.is_empty() && !self.normals.is_empty() {
@@ -59,6 +85,20 @@ impl Soup {
         }
     }
 
+    /// The part of a file with this mesh. Its vertices are there once for each of their colours.
+    pub(crate) fn into_part(self, triangulator: &mut Triangulator) -> Result<Part, TooLarge> {
+        let (mesh, uv, corner_colors) = self.into_mesh(triangulator)?;
+        let first = corner_colors.first().map(|[first, ..]| *first);
+        let color = first.filter(|first| corner_colors.iter().flatten().all(|color| color == first));
+        let (mesh, colors) = match first {
+            Some(first) if color.is_none() => split(&mesh, &corner_colors, first, |color| color),
+            _ => (mesh, Vec::new()),
+        };
+        let two_sided = !mesh.closed;
+        let (mesh, uv, colors) = (Arc::new(mesh), Arc::new(uv), Arc::new(colors));
+        Ok(Part { mesh, uv, color, colors, two_sided, ..Part::default() })
+    }
+
     /// The mesh. Polygons may be concave. Corners that repeat the one before are left out, and so are polygons that
     /// keep fewer than three. Given normals are taken unless one has no length. Missing ones are means over the faces
     /// that meet at a point (weighted by area), with creases at 45° and more.
@@ -66,8 +106,8 @@ impl Soup {
     /// *Edges* are the sides of the polygons; *closed* means that each side is met by another one in the other
     /// direction.
     ///
-    /// With it come the texture coordinates of the corners of each triangle, if there are any.
-    pub(crate) fn into_mesh(self, triangulator: &mut Triangulator) -> Result<(Mesh, Vec<CornerUv>), TooLarge> {
+    /// With it come the texture coordinates and the colours of the corners of each triangle, if there are any.
+    fn into_mesh(self, triangulator: &mut Triangulator) -> Result<MeshAndCorners, TooLarge> {
         if self.corners.len() >= MAX_VERTICES || self.positions.len() >= MAX_VERTICES {
             return Err(TooLarge);
         }
@@ -103,12 +143,17 @@ impl Soup {
             }
             polygon.triangles.clear();
             triangulator.triangulate(&polygon.points, &mut polygon.triangles);
-            maker.add(&polygon, &self.corner_uv);
+            maker.add(&polygon);
+            polygon.append(&mut maker.uv, &self.corner_uv);
+            polygon.append(&mut maker.colors, &self.corner_colors);
         }
-        let uv = std::mem::take(&mut maker.uv);
-        Ok((maker.finish(normals.is_none()), uv))
+        let (uv, colors) = (std::mem::take(&mut maker.uv), std::mem::take(&mut maker.colors));
+        Ok((maker.finish(normals.is_none()), uv, colors))
     }
 }
+
+/// A mesh, and the texture coordinates and the colours of the corners of its triangles.
+type MeshAndCorners = (Mesh, Vec<CornerUv>, Vec<[Rgba; 3]>);
 
 /// One polygon, while it is worked on.
 #[derive(Default)]
@@ -139,6 +184,13 @@ impl Polygon {
         self.points.clear();
         self.points.extend(self.ids.iter().map(|&id| soup.positions[id as usize]));
     }
+
+    /// Adds an attribute of its corners for each of its triangles, if the corners have it.
+    fn append<T: Copy>(&self, to: &mut Vec<[T; 3]>, of_corners: &[T]) {
+        if !of_corners.is_empty() {
+            to.extend(self.triangles.iter().map(|t| t.map(|i| of_corners[self.corners[i]])));
+        }
+    }
 }
 
 /// The mesh, while it grows. The vertices at one point are a linked list.
@@ -151,6 +203,8 @@ struct Maker {
     sides: Vec<(u64, [u32; 2])>,
     /// Texture coordinates of the corners of each triangle.
     uv: Vec<CornerUv>,
+    /// The same of colours.
+    colors: Vec<[Rgba; 3]>,
 }
 
 /// The ends of a side, the lesser first, and in the lowest bit its direction. Indices have 31 bits.
@@ -190,13 +244,9 @@ impl Maker {
         vertex
     }
 
-    fn add(&mut self, polygon: &Polygon, corner_uv: &[[f32; 2]]) {
+    fn add(&mut self, polygon: &Polygon) {
         let n = polygon.ids.len();
         self.mesh.triangles.extend(polygon.triangles.iter().map(|t| t.map(|i| polygon.vertices[i])));
-        if !corner_uv.is_empty() {
-            let at = |i: usize| corner_uv.get(polygon.corners[i]).copied().unwrap_or_default();
-            self.uv.extend(polygon.triangles.iter().map(|t| t.map(at)));
-        }
         for k in 0..n {
             let next = (k + 1) % n;
             let key = side_key(polygon.ids[k], polygon.ids[next]);
@@ -245,7 +295,7 @@ mod tests {
 
     #[test]
     fn a_cube_without_normals_gets_creases_and_its_twelve_edges() -> Result<(), TooLarge> {
-        let (mesh, _) = cube(false).into_mesh(&mut Triangulator::default())?;
+        let (mesh, ..) = cube(false).into_mesh(&mut Triangulator::default())?;
         assert_eq!((mesh.positions.len(), mesh.triangles.len(), mesh.edges.len()), (24, 12, 12));
         assert!(mesh.closed);
         for t in &mesh.triangles {
@@ -260,7 +310,7 @@ mod tests {
         assert!(!cube(true).into_mesh(&mut Triangulator::default())?.0.closed);
         let mut soup = cube(true);
         soup.weld();
-        let (mesh, _) = soup.into_mesh(&mut Triangulator::default())?;
+        let (mesh, ..) = soup.into_mesh(&mut Triangulator::default())?;
         assert!(mesh.closed);
         assert_eq!((mesh.positions.len(), mesh.edges.len()), (24, 18));
         Ok(())
@@ -270,7 +320,7 @@ mod tests {
     fn smooth_surfaces_share_their_vertices_and_their_normals_are_nearly_the_true_ones() -> Result<(), TooLarge> {
         let sphere = crate::scene::mesh::primitives::sphere(64);
         let points = sphere.positions.len();
-        let (mesh, _) = Soup { positions: sphere.positions, corners: sphere.triangles.concat(), ..Soup::default() }
+        let (mesh, ..) = Soup { positions: sphere.positions, corners: sphere.triangles.concat(), ..Soup::default() }
             .into_mesh(&mut Triangulator::default())?;
         assert_eq!(mesh.positions.len(), points);
         assert!(mesh.closed);
@@ -292,7 +342,7 @@ mod tests {
         let mut more = cube(false);
         more.corners.extend([0, 0, 1, 1, 0, 5, 5, 5]);
         more.arities.extend([5, 3]);
-        let (mesh, _) = more.into_mesh(&mut Triangulator::default())?;
+        let (mesh, ..) = more.into_mesh(&mut Triangulator::default())?;
         assert_eq!(mesh.triangles.len(), 12);
         assert!(mesh.closed);
         Ok(())

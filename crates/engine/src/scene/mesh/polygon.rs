@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::try_unit;
 use crate::limits::MAX_EAR_STEPS;
+use crate::scene::MeshNotice;
 
 /// The doubled vector area of a polygon, planar or nearly so, by Newell's method about its first corner: along the
 /// normal, twice the area long.
@@ -31,7 +32,7 @@ pub(crate) struct Triangulator {
     /// Corners that may still be compared with ears.
     steps: usize,
     /// Number of concave polygons that were cut as if they were convex, because no steps were left.
-    pub(crate) cut_as_convex: usize,
+    cut_as_convex: usize,
 }
 
 impl Default for Triangulator {
@@ -41,6 +42,11 @@ impl Default for Triangulator {
 }
 
 impl Triangulator {
+    /// The notice of the polygons that were cut wrong.
+    pub(crate) fn notice(&self) -> Option<MeshNotice> {
+        (self.cut_as_convex > 0).then_some(MeshNotice::CutAsConvex { count: self.cut_as_convex })
+    }
+
     /// Cuts a simple polygon, planar or nearly so, into triangles with its own orientation, by cutting off ears.
     /// Appends three indices into `corners` for each. Always n − 2 triangles; if the polygon crosses itself some of
     /// them overlap.

@@ -1,6 +1,6 @@
 //! The reasons why a picture can't be a texture, and the meaning of its alpha.
 
-use crate::limits::{MAX_TEXELS, MAX_TEXTURE_SIDE};
+use crate::limits::{MAX_HALVED_TEXELS, MAX_TEXELS, MAX_TEXTURE_SIDE};
 use crate::scene::ReadError;
 
 /// The reason why a picture can't be used as a texture: the file, and the fault.
@@ -43,7 +43,9 @@ pub enum TextureFault {
     #[error("is damaged, or not whole")]
     Damaged,
     /// It's wider or higher than a texture may be.
-    #[error("has {width} × {height} pixels; allowed: at most {MAX_TEXTURE_SIDE} a side and {MAX_TEXELS} in all")]
+    #[error(
+        "has {width} × {height} pixels; allowed: at most {MAX_TEXTURE_SIDE} a side and {MAX_TEXELS} in all, or {MAX_HALVED_TEXELS} in a JPEG file that isn't progressive and in a PNG file with 8 bits and without transparency, which are halved"
+    )]
     TooLarge {
         /// In pixels.
         width: u32,

@@ -10,6 +10,7 @@ mod unwrap;
 use std::sync::Arc;
 
 use super::{Mesh, TextureSource};
+use crate::appearance::Rgba;
 pub(super) use fault::Alpha;
 pub use fault::{TextureError, TextureFault};
 pub(super) use textures::Textures;
@@ -25,6 +26,8 @@ pub struct UvMesh {
     pub mesh: Arc<Mesh>,
     /// One for each vertex.
     pub uv: Arc<Vec<[f32; 2]>>,
+    /// The colour of each, if its mesh file gives them several.
+    pub colors: Arc<Vec<Rgba>>,
 }
 
 /// The built-in texture of a source. `None` for files, and if there's to be none.

@@ -15,20 +15,25 @@
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;
+use std::hash::Hash;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
 use super::{CornerUv, UvMesh};
+use crate::appearance::Rgba;
 use crate::scene::mesh::adjacency::Adjacency;
 use crate::scene::mesh::index_u32;
 use crate::scene::mesh::primitives::{ELLIPSOID_HALF_AXES, TORUS_RADIUS};
 use crate::scene::{Mesh, Shape};
 
+/// The colour of vertices without one.
+const NO_COLOR: Rgba = Rgba::rgb(255, 255, 255);
+
 /// A primitive with its texture coordinates.
 pub(in crate::scene) fn mapped(shape: &Shape, mesh: &Mesh) -> UvMesh {
     let uv: Vec<CornerUv> = mesh.triangles.iter().map(|triangle| corners(shape, mesh, *triangle)).collect();
-    split(mesh, &uv)
+    UvMesh::new(mesh, &uv, &[])
 }
 
 /// The coordinates at the corners of a triangle of a primitive.
@@ -91,20 +96,41 @@ fn near(turns: f64, other: f64) -> f64 {
     turns - (turns - other).round()
 }
 
-/// A mesh in which each vertex is there once for each of its texture coordinates. `uv` has those of the corners of each
-/// triangle. Missing ones are (0, 0).
-pub(in crate::scene) fn split(old: &Mesh, uv: &[CornerUv]) -> UvMesh {
+impl UvMesh {
+    /// A mesh in which each vertex is there once for each of its texture coordinates. `uv` has those of the corners of
+    /// each triangle, and `colors` that of each vertex, or none. Missing coordinates are (0, 0).
+    pub(in crate::scene) fn new(old: &Mesh, uv: &[CornerUv], colors: &[Rgba]) -> Self {
+        let with_color = |(uv, triangle): (&CornerUv, &[u32; 3])| {
+            let color = |i: u32| colors.get(i as usize).copied().unwrap_or(NO_COLOR);
+            std::array::from_fn(|k| (uv[k], color(triangle[k])))
+        };
+        let corners: Vec<[([f32; 2], Rgba); 3]> = uv.iter().zip(&old.triangles).map(with_color).collect();
+        let (mesh, values) = split(old, &corners, ([0.0; 2], NO_COLOR), |(uv, color)| (uv.map(f32::to_bits), color));
+        let (uv, own): (Vec<_>, Vec<_>) = values.into_iter().unzip();
+        let colors = if colors.is_empty() { Vec::new() } else { own };
+        Self { mesh: Arc::new(mesh), uv: Arc::new(uv), colors: Arc::new(colors) }
+    }
+}
+
+/// A mesh in which each vertex is there once for each value that it has at the corners of triangles, and its values.
+/// Missing ones are `none`. Values with equal keys are equal.
+pub(in crate::scene) fn split<T: Copy, K: Eq + Hash>(
+    old: &Mesh,
+    corners: &[[T; 3]],
+    none: T,
+    key: impl Fn(T) -> K,
+) -> (Mesh, Vec<T>) {
     let mut mesh = Mesh { closed: old.closed, convex: old.convex, ..Mesh::default() };
     let mut all = Vec::new();
-    let mut known: HashMap<(u32, [u32; 2]), u32> = HashMap::with_capacity(old.positions.len());
+    let mut known: HashMap<(u32, K), u32> = HashMap::with_capacity(old.positions.len());
     let mut first: Vec<Option<u32>> = vec![None; old.positions.len()];
-    let mut vertex = |mesh: &mut Mesh, i: u32, uv: [f32; 2]| {
-        *known.entry((i, uv.map(f32::to_bits))).or_insert_with(|| {
+    let mut vertex = |mesh: &mut Mesh, i: u32, value: T| {
+        *known.entry((i, key(value))).or_insert_with(|| {
             let new = index_u32(mesh.positions.len());
             mesh.positions.push(old.positions.get(i as usize).copied().unwrap_or_default());
             // A mesh without normals stays without.
             mesh.normals.extend(old.normals.get(i as usize));
-            all.push(uv);
+            all.push(value);
             if let Some(first) = first.get_mut(i as usize) {
                 first.get_or_insert(new);
             }
@@ -112,30 +138,25 @@ pub(in crate::scene) fn split(old: &Mesh, uv: &[CornerUv]) -> UvMesh {
         })
     };
     for (k, triangle) in old.triangles.iter().enumerate() {
-        let uv = uv.get(k).copied().unwrap_or_default();
-        let new = [0, 1, 2].map(|c| vertex(&mut mesh, triangle[c], uv[c]));
+        let values = corners.get(k).copied().unwrap_or([none; 3]);
+        let new = [0, 1, 2].map(|c| vertex(&mut mesh, triangle[c], values[c]));
         mesh.triangles.push(new);
     }
     // An edge may have vertices that no face has.
     for end in old.edges.iter().flatten() {
-        vertex_of_edge(&mut mesh, &mut all, &mut first, old, *end);
+        if let Some(first @ None) = first.get_mut(*end as usize) {
+            *first = Some(index_u32(mesh.positions.len()));
+            mesh.positions.push(old.positions.get(*end as usize).copied().unwrap_or_default());
+            mesh.normals.extend(old.normals.get(*end as usize));
+            all.push(none);
+        }
     }
     let of = |i: u32| first.get(i as usize).copied().flatten().unwrap_or_default();
     mesh.edges = old.edges.iter().map(|edge| edge.map(of)).collect();
     if old.adjacency != Adjacency::default() {
         mesh.adjacency = Adjacency::of(&mesh.positions, &mesh.triangles);
     }
-    UvMesh { mesh: Arc::new(mesh), uv: Arc::new(all) }
-}
-
-/// Adds the vertex of an edge if it's missing.
-fn vertex_of_edge(mesh: &mut Mesh, uv: &mut Vec<[f32; 2]>, first: &mut [Option<u32>], old: &Mesh, i: u32) {
-    if let Some(first @ None) = first.get_mut(i as usize) {
-        *first = Some(index_u32(mesh.positions.len()));
-        mesh.positions.push(old.positions.get(i as usize).copied().unwrap_or_default());
-        mesh.normals.extend(old.normals.get(i as usize));
-        uv.push([0.0; 2]);
-    }
+    (mesh, all)
 }
 
 #[cfg(test)]
@@ -160,7 +181,7 @@ mod tests {
     #[test]
     fn pictures_are_neither_torn_nor_mirrored() {
         for (shape, mesh) in meshes() {
-            let UvMesh { mesh: textured, uv } = mapped(&shape, &mesh);
+            let UvMesh { mesh: textured, uv, .. } = mapped(&shape, &mesh);
             assert_eq!((textured.positions.len(), textured.normals.len()), (uv.len(), uv.len()), "{shape:?}");
             assert_eq!(textured.triangles.len(), mesh.triangles.len());
             for (triangle, old) in textured.triangles.iter().zip(&mesh.triangles) {

@@ -6,8 +6,9 @@ use std::fmt::Write as _;
 
 use super::vocabulary::Limitation;
 use super::{Matrix, MatrixFormula, Notation, Setting, Writer};
-use crate::camera::{AngleUnit, Axes, Camera, Program, Projection, ViewWindow};
+use crate::camera::{AngleUnit, Axes, Camera, ImageSize, Parameters, Program, Projection, ViewWindow};
 use crate::numbers::{DecimalMark, exact};
+pub(crate) use programs::pixels;
 
 crate::listed! {
     /// A library, or a language.
@@ -56,7 +57,7 @@ crate::listed! {
 }
 
 /// A fact about a library that's needed to use its camera.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CodeConvention {
     /// Column vectors, right-handed view space, z_n in −1 … 1.
     OfTheNotes,
@@ -74,6 +75,8 @@ pub enum CodeConvention {
     Axes(Axes),
     /// Lengths are in centimetres.
     Centimetres,
+    /// C is so far behind that of the figure, because the library takes no smaller F.
+    MovedBack(f64),
 }
 
 /// The rows of the targets, in their order.
@@ -108,7 +111,7 @@ impl CodeTarget {
     }
 
     /// The reason why it can't express a camera.
-    pub fn limitation(self, camera: &Camera) -> Option<Limitation> {
+    pub fn limitation(self, camera: &Camera, image: ImageSize) -> Option<Limitation> {
         let parallel = camera.projection() == Projection::Parallel;
         let symmetric = camera.has_symmetric_window();
         match self {
@@ -117,9 +120,26 @@ impl CodeTarget {
             }
             Self::Gltf | Self::Unreal | Self::Bevy if !symmetric => Some(Limitation::SymmetricOnly),
             Self::Babylon if !symmetric && !parallel => Some(Limitation::SymmetricOnly),
-            Self::PyTorch3d | Self::Godot if !symmetric && parallel => Some(Limitation::SymmetricOnly),
+            Self::Godot if !symmetric && parallel => Some(Limitation::SymmetricOnly),
+            Self::Blender if programs::blender_lens(camera, image).is_none() => Some(Limitation::OutOfRange),
+            _ if camera.near() < self.program().least_near && self.moved_back(camera).is_none() => {
+                Some(Limitation::OutOfRange)
+            }
             _ => None,
         }
+    }
+
+    /// The same camera with the least F that it takes, if its own is smaller. In parallel projection the image stays if
+    /// C moves along **n**.
+    fn moved_back(self, camera: &Camera) -> Option<(Camera, f64)> {
+        let (own, near) = (camera.parameters(), self.program().least_near);
+        if own.projection != Projection::Parallel || own.near >= near {
+            return None;
+        }
+        let back = near - own.near;
+        let position = own.position + camera.basis().n * back;
+        let moved = Camera::new(&Parameters { position, near, far: own.far + back, ..*own });
+        moved.ok().map(|camera| (camera, back))
     }
 
     /// The conventions stated in its code.
@@ -133,6 +153,7 @@ impl CodeTarget {
             AngleUnit::Radians => CodeConvention::Radians,
         }));
         said.extend((program.units == 100.0).then_some(CodeConvention::Centimetres));
+        said.extend(self.moved_back(camera).map(|(_, back)| CodeConvention::MovedBack(back)));
         let symmetric = camera.has_symmetric_window();
         said.extend(match self {
             Self::ThreeJs if !symmetric && camera.projection() == Projection::Perspective => {
@@ -154,6 +175,8 @@ impl CodeTarget {
             }
         }
         let (camera, image) = (setting.space().camera(), setting.image());
+        let moved = self.moved_back(camera);
+        let camera = moved.as_ref().map_or(camera, |moved| &moved.0);
         text.push_str(&match self {
             Self::OpenGl => open_gl(camera),
             Self::Glm => glm(camera),

@@ -10,10 +10,12 @@ use crate::camera::{Axes, Camera, ImageSize, Program, Projection};
 use crate::numbers::exact;
 
 /// `f_x`, `f_y`, `c_x` and `c_y` in pixels, from the top left corner as in (5.22).
-fn pixels(camera: &Camera, image: ImageSize) -> [f64; 4] {
+pub(crate) fn pixels(camera: &Camera, image: ImageSize) -> [f64; 4] {
     let [m, n] = [image.width, image.height].map(f64::from);
     let [left, _, _, top] = sides(camera);
-    let (width, height, near) = (camera.window_width(), camera.window_height(), camera.near());
+    let (width, height) = (camera.window_width(), camera.window_height());
+    // In parallel projection, the pixels of a unit of length.
+    let near = if camera.projection() == Projection::Perspective { camera.near() } else { 1.0 };
     [near / width * m, near / height * n, -left / width * m, top / height * n]
 }
 
@@ -132,20 +134,38 @@ fn file(value: &serde_json::Value) -> String {
     format!("{value:#}\n")
 }
 
+/// The height of the sensor and the focal length in mm, and the shape of the pixels; `None` if one is beyond its range.
+/// The sensor is 24 mm high if the focal length fits.
+pub(super) fn blender_lens(camera: &Camera, image: ImageSize) -> Option<[f64; 4]> {
+    const LENS: [f64; 2] = [1.0, 5000.0];
+    let focal_lengths = camera.near() / camera.window_height();
+    let lens = (24.0 * focal_lengths).clamp(LENS[0], LENS[1]);
+    let sensor = if lens == 24.0 * focal_lengths { 24.0 } else { lens / focal_lengths };
+    let wide = camera.window_aspect() * f64::from(image.height) / f64::from(image.width);
+    // The same shape but for rounding.
+    let wide = if (wide - 1.0).abs() < 1e-12 { 1.0 } else { wide };
+    let pixel = [wide.max(1.0), wide.recip().max(1.0)];
+    let is_parallel = camera.projection() == Projection::Parallel;
+    let is_possible =
+        (is_parallel || (sensor >= 1.0 && sensor <= f64::from(f32::MAX))) && pixel[0].max(pixel[1]) <= 200.0;
+    is_possible.then_some([sensor, lens, pixel[0], pixel[1]])
+}
+
 pub(super) fn blender(camera: &Camera, image: ImageSize) -> String {
     let m = Axes::BLENDER.world_from_view(camera);
     let matrix: Vec<String> = (0..4).map(|i| format!("({})", list(m.row(i).to_array()))).collect();
     let [x, y] = shift(camera).map(|x| exact(x + 0.0));
+    // Of a camera that it can't have, any numbers.
+    let [sensor, lens, pixel_x, pixel_y] = blender_lens(camera, image).unwrap_or([1.0; 4]);
     let mut text = format!(
         "import bpy\nfrom mathutils import Matrix\n\nscene = bpy.context.scene\ncamera = scene.camera\ncamera.matrix_world = Matrix(({}))\ncamera.data.sensor_fit = 'VERTICAL'\n",
         matrix.join(", ")
     );
     let _ = match camera.projection() {
-        // The sensor is 24 mm high.
         Projection::Perspective => writeln!(
             text,
-            "camera.data.type = 'PERSP'\ncamera.data.sensor_height = 24\ncamera.data.lens = {}",
-            exact(24.0 * camera.near() / camera.window_height())
+            "camera.data.type = 'PERSP'\ncamera.data.sensor_height = {sensor}\ncamera.data.lens = {}",
+            exact(lens)
         ),
         Projection::Parallel => {
             writeln!(text, "camera.data.type = 'ORTHO'\ncamera.data.ortho_scale = {}", exact(camera.window_height()))
@@ -158,6 +178,10 @@ pub(super) fn blender(camera: &Camera, image: ImageSize) -> String {
         text,
         "camera.data.shift_x, camera.data.shift_y = {x}, {y}\ncamera.data.clip_start, camera.data.clip_end = {near}, {far}\nscene.render.resolution_x, scene.render.resolution_y = {width}, {height}"
     );
+    if pixel_x != pixel_y {
+        let (x, y) = (exact(pixel_x), exact(pixel_y));
+        let _ = writeln!(text, "scene.render.pixel_aspect_x, scene.render.pixel_aspect_y = {x}, {y}");
+    }
     text
 }
 
@@ -194,24 +218,14 @@ pub(super) fn pytorch3d(camera: &Camera, image: ImageSize) -> String {
     let m = Axes::PYTORCH3D.view_from_world(camera);
     let r = [0, 1, 2].map(|i| list(m.col(i).truncate().to_array()));
     let t = list(m.col(3).truncate().to_array());
-    let lens = match camera.projection() {
-        Projection::Perspective => {
-            let [f_x, f_y, x, y] = pixels(camera, image).map(|x| exact(x + 0.0));
-            let ImageSize { width, height } = image;
-            format!(
-                "cameras = PerspectiveCameras(\n    R=R, T=T, focal_length=(({f_x}, {f_y}),), principal_point=(({x}, {y}),),\n    image_size=(({height}, {width}),), in_ndc=False)\n"
-            )
-        }
-        Projection::Parallel => {
-            let [x, y] = [camera.window_width() / 2.0, camera.window_height() / 2.0].map(exact);
-            let (near, far) = (exact(camera.near()), exact(camera.far()));
-            format!(
-                "cameras = FoVOrthographicCameras(\n    R=R, T=T, znear={near}, zfar={far}, min_x=-{x}, max_x={x}, min_y=-{y}, max_y={y})\n"
-            )
-        }
+    let ImageSize { width, height } = image;
+    let [f_x, f_y, x, y] = pixels(camera, image).map(|x| exact(x + 0.0));
+    let class = match camera.projection() {
+        Projection::Perspective => "PerspectiveCameras",
+        Projection::Parallel => "OrthographicCameras",
     };
     format!(
-        "import torch\nfrom pytorch3d.renderer import FoVOrthographicCameras, PerspectiveCameras\n\nR = torch.tensor([[[{}], [{}], [{}]]])\nT = torch.tensor([[{t}]])\n{lens}",
+        "import torch\nfrom pytorch3d.renderer import {class}\n\nR = torch.tensor([[[{}], [{}], [{}]]])\nT = torch.tensor([[{t}]])\ncameras = {class}(\n    R=R, T=T, focal_length=(({f_x}, {f_y}),), principal_point=(({x}, {y}),),\n    image_size=(({height}, {width}),), in_ndc=False)\n",
         r[0], r[1], r[2]
     )
 }

@@ -80,6 +80,7 @@ pub(super) fn tint(frame: &mut Frame, request: &Request) {
         sampler: Sampler { filter: Filter::Nearest, ..Sampler::PICTURE },
         uv: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
         tint: Rgba::rgb(255, 255, 255),
+        tints: Vec::new(),
     };
     let plain = Surface::solid(corners, vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(255, 255, 255));
     frame.dropped_faces.push(Surface { base, translucent: true, depth_test: false, ..plain });

@@ -197,6 +197,7 @@ impl<'a> Image<'a> {
         self.rows.extend(cost::rows(request, palette));
         self.rows.extend(revealed_scene::drawn_rows(drawn, request, palette));
         offscreen_arrows::in_image(&mut drawn.drawing, request, palette);
+        vanishing::epipolar_line(&mut drawn.drawing, request, palette);
         if request.shot.look.reveal.vanishing {
             self.rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
         }
@@ -303,6 +304,7 @@ fn put_photograph_under<'a>(drawings: impl Iterator<Item = &'a mut Drawing>, req
             sampler: Sampler { filter: Filter::Trilinear, ..Sampler::PICTURE },
             uv: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
             tint: Rgba::rgba(255, 255, 255, opacity),
+            tints: Vec::new(),
         };
         let translucent = opacity < 255 || !image.is_opaque();
         if translucent && !drawing.painted_in_order {

@@ -115,6 +115,43 @@ fn horizon(drawing: &mut Drawing, picture: &WindowPicture<'_>, request: &Request
     }
 }
 
+/// Draws the epipolar line of a pixel that is marked in the image of another camera: the image of its projector, across
+/// the whole image, since any of its points may be the one that the pixel shows. All of them meet in the epipole, the
+/// image of the other centre.
+pub(super) fn epipolar_line(drawing: &mut Drawing, request: &Request, palette: Palette) {
+    let Some(projector) = request.projector.flatten() else { return };
+    let (camera, scale, labels) = (&request.camera, request.size.scale, request.labels);
+    // (5.9) and (5.10), homogeneous.
+    let [origin, end] = projector.ends.map(|p| camera.view_point(p));
+    let seen = |v: DVec3, w: f64| match camera.projection() {
+        Projection::Perspective => (v.truncate() * camera.near()).extend(-v.z),
+        Projection::Parallel => v.truncate().extend(w),
+    };
+    let (from, direction) = (seen(origin, 1.0), seen(end - origin, 0.0));
+    let DVec3 { x: a, y: b, z: c } = from.cross(direction);
+    let across = DVec2::new(a, b);
+    let picture = WindowPicture { size: DVec2::new(f64::from(drawing.width), f64::from(drawing.height)), camera };
+    let foot = across * (-c / across.length_squared());
+    let reach = 4.0 * (camera.window_width() + camera.window_height()) + foot.length();
+    let along = across.perp().normalize_or_zero() * reach;
+    let size = SMALL_TYPE * scale;
+    let ends = [foot - along, foot + along].map(|end| picture.place(end));
+    if let Some([from, to]) =
+        picture.line(drawing, ends, stroke(palette.probe, 1.6 * scale, Dash::Solid, HiddenLines::Shown))
+    {
+        let name = "epipolar".to_owned();
+        drawing.labels.push(Label { name, ..label(from.lerp(to, 0.1), labels.epipolar, size, palette.probe, palette) });
+    }
+    let epipole = if projector.projection == Projection::Perspective { from } else { direction };
+    let epipole = picture.place(epipole.truncate() / epipole.z);
+    if epipole.is_finite() && picture.holds(epipole) {
+        let position = [single(epipole.x), single(epipole.y), 1.0];
+        drawing.marks.push(Mark::new(position, MarkShape::Diamond, 4.0 * scale, [palette.probe, palette.paper]));
+        let name = "epipole".to_owned();
+        drawing.labels.push(Label { name, ..label(epipole, labels.epipole, size, palette.probe, palette) });
+    }
+}
+
 /// For each edge of a box along a direction, the window point of the end from which it runs to the vanishing point.
 /// It's the end nearer to the eye, in front of it.
 fn nearest_ends(camera: &Camera, bounds: Aabb, direction: DVec3) -> Vec<DVec2> {

@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec2, DVec3};
 
-use crate::camera::{Camera, Convention, ImageSize, Operation};
+use crate::camera::{Camera, Convention, ImageSize, Operation, Projection};
 use crate::figure::{Measured, ShownProbe, TriangleStep};
 use crate::scene::transform::Trs;
 use crate::views::View;
@@ -106,8 +106,10 @@ impl CostMap {
 /// A projector of one camera, as another camera of the figure sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projector {
-    /// Its ends (world): its origin, and the one in the back plane or beyond the point.
+    /// Its origin, and its end in the back plane or beyond the point, world.
     pub ends: [DVec3; 2],
+    /// The projection it belongs to. In perspective its origin is C.
+    pub projection: Projection,
     /// The marked point on it.
     pub point: Option<DVec3>,
 }

@@ -2,18 +2,17 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
+use crate::appearance::{Dash, MarkShape, Rgba};
 use crate::camera::Projection;
 use crate::figure::NamedPoint;
 use crate::geometry::Aabb;
 use crate::pipeline::canonical::displayed_ndc;
 use crate::sanitize;
-use crate::scene::Line;
 
 use crate::views::canonical::canonical_box::CanonicalBox;
 use crate::views::interact::hits;
 use crate::views::world::cameras;
-use crate::views::world::gizmos::{self, AnnotationBuilder, SMALL_TYPE, TYPE};
+use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE, TYPE};
 use crate::views::world::volume::DrawnVolume;
 use crate::views::{Palette, Probe, Projector, Request};
 
@@ -37,16 +36,17 @@ impl Pixel {
 
 /// The projector of a probe: from O_R through its pixel, or through its point.
 pub(in crate::views) fn projector(request: &Request, probe: Probe) -> Projector {
-    match probe {
+    let (ends, point) = match probe {
         Probe::Window(point) => {
             let pixel = Pixel::new(request, point);
-            Projector { ends: [pixel.origin, pixel.end], point: pixel.hit }
+            ([pixel.origin, pixel.end], pixel.hit)
         }
         Probe::Point(p) => {
             let (origin, _, end) = ray_of(request, window_of(request, request.camera.view_point(p)));
-            Projector { ends: [origin, end], point: Some(p) }
+            ([origin, end], Some(p))
         }
-    }
+    };
+    Projector { ends, projection: request.camera.projection(), point }
 }
 
 /// The look of a point: a probe, or one of the figure's.
@@ -216,24 +216,8 @@ pub(in crate::views) fn in_image(builder: &mut AnnotationBuilder, request: &Requ
         let p = if behind.distance(origin) < end.distance(origin) { behind } else { window.midpoint(end) };
         builder.mark(p, MarkShape::Cross, 6.0, palette.probe);
     }
-    epipolar_line(builder, request, palette);
-}
-
-/// The projector of the first camera in the image of the second: the epipolar line of the marked pixel. Nothing hides
-/// it, since any of its points may be the one that the pixel shows.
-fn epipolar_line(builder: &mut AnnotationBuilder, request: &Request, palette: Palette) {
-    let Some(Projector { ends, point }) = request.projector.flatten() else { return };
-    let line = |points: [DVec3; 2], width: f32, dash: Dash| {
-        let style = gizmos::stroke(palette.probe, width, dash, HiddenLines::Shown);
-        Line::new(points.to_vec(), style)
-    };
-    match point {
-        None => builder.gear.lines.push(line(ends, 1.6, Dash::Solid)),
-        Some(p) => {
-            builder.gear.lines.push(line([ends[0], p], 1.6, Dash::Solid));
-            builder.gear.lines.push(line([p, ends[1]], 1.4, Dash::Dashed));
-            builder.mark(p, MarkShape::Ring, 6.0, palette.probe);
-        }
+    if let Some(p) = request.projector.flatten().and_then(|projector| projector.point) {
+        builder.mark(p, MarkShape::Ring, 6.0, palette.probe);
     }
 }
 

@@ -11,7 +11,7 @@ use crate::views::{OtherCamera, SharedScene, Shot};
 #[rustfmt::skip]
 const NAMES: &[&str] = &[
     "C", "PF", "VUP", "DOP", "u", "v", "n", "x", "y", "z", "x_n", "y_n", "z_n", "window", "near", "far", "scene", "before", "answered",
-    "F", "B", "D", "W", "H", "theta", "theta/2", "W/2", "H/2", "y_p", "y_c", "−z_c", "l", "r", "b", "t", "P", "O_R", "V_x", "V_y", "V_z", "horizon", "outside",
+    "F", "B", "D", "W", "H", "theta", "theta/2", "W/2", "H/2", "y_p", "y_c", "−z_c", "l", "r", "b", "t", "P", "O_R", "V_x", "V_y", "V_z", "horizon", "epipolar", "epipole", "outside",
     "u_x", "u_y", "u_z", "v_x", "v_y", "v_z", "n_x", "n_y", "n_z", "−u · c", "−v · c", "−n · c", "c_x", "c_y", "c_z", "PF_x", "PF_y", "PF_z",
     "VUP_x", "VUP_y", "VUP_z", "t_x", "t_y", "t_z", "φ_x", "φ_y", "φ_z", "s_x", "s_y", "s_z", "a", "c",
     "corner:near-left-bottom", "corner:near-left-top", "corner:near-right-bottom", "corner:near-right-top", "corner:far-left-bottom",

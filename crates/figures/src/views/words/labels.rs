@@ -97,6 +97,10 @@ pub struct Labels {
     pub behind_eye: &'static str,
     /// The line of the vanishing points of horizontal directions.
     pub horizon: &'static str,
+    /// The name of the line on which another image shows a pixel.
+    pub epipolar: &'static str,
+    /// The name of the image of another centre.
+    pub epipole: &'static str,
     /// Before the first step of the way to the canonical volume.
     pub world: &'static str,
     /// The side of a comparison with the figure's own camera.

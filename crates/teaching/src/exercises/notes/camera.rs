@@ -284,6 +284,7 @@ pub(super) fn cube() -> Exercise {
             ("looks-along-axis", n.to_array().iter().any(|x| (x.abs() - 1.0).abs() <= 1e-6)),
             ("window-is-2-by-2", near(camera.window_width(), 2.0) && near(camera.window_height(), 2.0)),
             ("planes-2-apart", near(camera.far() - camera.near(), 2.0)),
+            ("front-before-c", camera.near() > 0.0),
             ("middle-at-origin", middle.length() <= TOLERANCE),
             ("is-the-cube", corners.iter().all(is_cube) && distinct),
         ]

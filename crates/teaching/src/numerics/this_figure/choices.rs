@@ -1,6 +1,6 @@
 //! The choices of a figure that its scene doesn't make irrelevant, and the images that they give.
 
-use crate::appearance::{Filter, Samples, Shading, Style, Visibility};
+use crate::appearance::{FaceOrder, Filter, Samples, Shading, Style, Visibility};
 use crate::figure::Figure;
 use crate::figure::words::{DEPTH_FORMATS, FACE_ORDERS, SHADINGS, VISIBILITIES, Words};
 use crate::limits::MAX_SHADOW_TEXELS;
@@ -12,6 +12,10 @@ use crate::views::Request;
 const MAPS: [u32; 5] = [256, 512, 1024, 2048, 4096];
 /// Biases to try.
 const BIASES: [f64; 4] = [0.5, 1.0, 2.0, 4.0];
+
+/// An order of faces that saves less than this share of the fills has nothing to set against the place of each
+/// sample's face, which it keeps.
+const FEW_FILLS: f64 = 0.1;
 
 /// A key of a figure that may be chosen differently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +95,8 @@ pub enum WhyNot {
     Preset,
     /// The texture is nowhere smaller than a pixel, and its filter there is a look.
     Magnified,
+    /// From one order of faces to another, the fills differ by less than a tenth: by this share, 0 … 1.
+    FewFills(f64),
 }
 
 /// A key that isn't tried, with the reason.
@@ -102,9 +108,16 @@ pub struct LeftOut {
     pub why: WhyNot,
 }
 
-/// Finds the choices of a figure. `plan`: that of its image with a depth buffer and several samples. `minified`: for
-/// each object of the scene, true if its texture is minified anywhere in the image.
-pub(super) fn choices(figure: &Figure, scene: &Scene, plan: &Plan, minified: &[bool]) -> (Vec<Choice>, Vec<LeftOut>) {
+/// Finds the choices of a figure. `plan`: that of its image with a depth buffer and several samples. `fills`: the
+/// fills of that image in each order of faces. `minified`: for each object of the scene, true if its texture is
+/// minified anywhere in the image.
+pub(super) fn choices(
+    figure: &Figure,
+    scene: &Scene,
+    plan: &Plan,
+    fills: &[(FaceOrder, [u64; 2])],
+    minified: &[bool],
+) -> (Vec<Choice>, Vec<LeftOut>) {
     let (mut all, mut left_out) = (Vec::new(), Vec::new());
     let style = &figure.style;
     let mut add = |key: Key, values: Vec<Value>, own: Value| {
@@ -126,7 +139,14 @@ pub(super) fn choices(figure: &Figure, scene: &Scene, plan: &Plan, minified: &[b
         None => {
             add(Key::Visibility, words(VISIBILITIES), word(VISIBILITIES, style.visibility));
             add(Key::DepthFormat, words(DEPTH_FORMATS), word(DEPTH_FORMATS, style.depth_format));
-            add(Key::Order, words(FACE_ORDERS), word(FACE_ORDERS, style.order));
+            let filled = || fills.iter().map(|(_, [filled, _])| *filled);
+            let (least, most) = (filled().min().unwrap_or(0), filled().max().unwrap_or(0));
+            let saved = (most - least) as f64 / most.max(1) as f64;
+            if saved < FEW_FILLS {
+                leave("style.order", WhyNot::FewFills(saved));
+            } else {
+                add(Key::Order, words(FACE_ORDERS), word(FACE_ORDERS, style.order));
+            }
         }
     }
     match no_faces {
@@ -213,11 +233,10 @@ pub(super) fn canonical(choices: &[Choice], mut combination: Combination) -> Com
         let place = choices.iter().position(|choice| choice.key == key)?;
         Some((place, choices[place].values[combination[place]]))
     };
-    if let (Some((_, visibility)), Some((format, _)), Some((order, _))) =
-        (value(Key::Visibility), value(Key::DepthFormat), value(Key::Order))
-        && visibility != word(VISIBILITIES, Visibility::DepthBuffer)
-    {
-        (combination[format], combination[order]) = (choices[format].own, choices[order].own);
+    if value(Key::Visibility).is_some_and(|(_, visibility)| visibility != word(VISIBILITIES, Visibility::DepthBuffer)) {
+        for (place, _) in [value(Key::DepthFormat), value(Key::Order)].into_iter().flatten() {
+            combination[place] = choices[place].own;
+        }
     }
     combination
 }

@@ -77,12 +77,17 @@ const NONE: Sign =
     Sign { words: &[], axes: None, side: Side::Up, is_radians: None, order: None, units: 1.0, is_parallel: false };
 
 /// The likelier first.
-const SIGNS: [Sign; 26] = [
+const SIGNS: [Sign; 27] = [
     Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["fvector("], Axes::UNREAL) },
     Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["ucameracomponent"], Axes::UNREAL) },
     Sign { is_radians: Some(true), ..sign(&["babylon"], Axes::DIRECT3D) },
     sign(&["lookrotation("], Axes::DIRECT3D),
     sign(&["nearclipplane"], Axes::DIRECT3D),
+    Sign {
+        order: Some(Order::Columns),
+        is_parallel: true,
+        ..sign(&["pytorch3d", "orthographiccameras("], Axes::PYTORCH3D)
+    },
     Sign { order: Some(Order::Columns), ..sign(&["pytorch3d"], Axes::PYTORCH3D) },
     sign(&["bpy"], Axes::BLENDER),
     sign(&["matrix_world"], Axes::BLENDER),
