@@ -201,6 +201,9 @@ fn items(node: Option<&Node>) -> Vec<&Node> {
 /// The most steps from the roots of a scene. More are a cycle, or made to take all the time there is.
 const MAX_STEPS: usize = 100_000;
 
+/// The most parts of a pose above a camera. More are a cycle.
+const MAX_PARTS: usize = 200;
+
 /// The cameras of glTF: each node that has one, in the world of its scene.
 ///
 /// A camera has no scale: of the nodes above it, rotations turn it, and scales only move it.
@@ -218,7 +221,7 @@ pub(crate) fn gltf(file: &Node) -> Option<Node> {
     };
     let children = |node: &Node| -> Vec<usize> {
         let list = node.child("children").map(Node::values).unwrap_or_default();
-        list.into_iter().filter_map(|value| index(value, nodes.len())).collect()
+        list.into_iter().filter(|x| x.is_finite()).filter_map(|value| index(value, nodes.len())).collect()
     };
     let mut is_inner = vec![false; nodes.len()];
     nodes.iter().flat_map(|node| children(node)).for_each(|child| is_inner[child] = true);
@@ -228,6 +231,9 @@ pub(crate) fn gltf(file: &Node) -> Option<Node> {
     let mut found = Vec::new();
     for _ in 0..MAX_STEPS {
         let Some((at, (parent, turn, mut parts))) = waiting.pop() else { break };
+        if parts.len() > MAX_PARTS {
+            continue;
+        }
         let node = nodes[at];
         let (own, own_turn) = transform(node);
         let (world, turn) = (parent * own, turn * own_turn);

@@ -85,6 +85,15 @@ impl Node {
         all
     }
 
+    /// The count of all numbers below, but not those of shapes.
+    pub(crate) fn count(&self) -> usize {
+        match &self.value {
+            Value::Numbers(numbers, _) => numbers.len(),
+            Value::Word(_) => 0,
+            Value::Inner(nodes) => nodes.iter().filter(|node| !node.is_shape()).map(Self::count).sum(),
+        }
+    }
+
     fn gather(&self, all: &mut (Vec<Written>, Vec<usize>)) {
         match &self.value {
             Value::Numbers(numbers, lines) => {

@@ -89,21 +89,20 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
         (before, own) => format!("{before}.{own}"),
     };
     let (shown, path) = (join(shown, &node.name), join(path, &plain(&node.name)));
-    let (numbers, lines) = node.numbers();
     let is_inner = has_names(node);
     let call = join(&path, &plain(&node.call));
-    let entry = |fields, index: &str, word| Entry {
+    let entry = |fields, index: &str, word, (numbers, lines)| Entry {
         name: shown.clone(),
         index: index.to_owned(),
         fields,
-        numbers: numbers.clone(),
-        lines: lines.clone(),
+        numbers,
+        lines,
         text: node.word().unwrap_or_default().to_owned(),
         word,
         is_inherited: false,
     };
     let is_word = matches!(node.value, Value::Word(_));
-    let count = numbers.len();
+    let count = node.count();
     let is_empty = count == 0 && !is_word && node.children().is_empty();
     let is_bare = is_word && node.word() == Some("") || is_empty;
     let of_word = |fields: &&'static [Field]| {
@@ -116,20 +115,20 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
         node.name.split_once('x').filter(|_| is_bare).and_then(|(m, n)| Some((m.parse().ok()?, n.parse().ok()?)));
     if let Some((m, n)) = size.filter(|size: &(u32, u32)| size.0.min(size.1) >= 16) {
         let numbers = [m, n].map(|side| Written { value: f64::from(side), error: 0.0 }).to_vec();
-        return scope.entries.push(Entry { numbers, ..entry(&[F::ImageWidth, F::ImageHeight], "", None) });
+        return scope.entries.push(entry(&[F::ImageWidth, F::ImageHeight], "", None, (numbers, Vec::new())));
     }
     if is_word || is_empty {
         match meaning(&path, 0, false).filter(of_word) {
-            Some(fields) => scope.entries.push(entry(fields, "", None)),
+            Some(fields) => scope.entries.push(entry(fields, "", None, node.numbers())),
             None if is_bare || node.name.is_empty() => {}
-            None => scope.entries.push(entry(&[F::Unknown], "", None)),
+            None => scope.entries.push(entry(&[F::Unknown], "", None, node.numbers())),
         }
         return;
     }
     if count > 0 || is_inner {
         let is_foreign = is_sensor(&node.name) && matches!(count, 3 | 4 | 9 | 12 | 16);
         if is_foreign && !path.ends_with("tcamimu") && !path.ends_with("timucam") {
-            return scope.entries.push(entry(&[F::NotCamera], "", None));
+            return scope.entries.push(entry(&[F::NotCamera], "", None, node.numbers()));
         }
         for path in [&path, &call] {
             let stripped = path.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -143,10 +142,10 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
                 let fields = match (fields, order) {
                     ([F::Quaternion], Some("w" | "qw")) => &[F::Wxyz],
                     ([F::Quaternion], Some("x" | "qx")) => &[F::Xyzw],
-                    ([F::K], _) if !is_k(&numbers.iter().map(|n| n.value).collect::<Vec<_>>()) => &[F::R],
+                    ([F::K], _) if !is_k(&node.values()) => &[F::R],
                     (fields, _) => fields,
                 };
-                return scope.entries.push(entry(fields, index, None));
+                return scope.entries.push(entry(fields, index, None, node.numbers()));
             }
             let is_matrix =
                 |word: &words::Word| count == 12 || count == 16 && word.kind != Some(MatrixKind::Intrinsics);
@@ -159,7 +158,7 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
                     count == 12 && matches!(word.kind, Some(MatrixKind::Projection | MatrixKind::Intrinsics));
                 let fields: &[Field] = if is_pixels { &[F::Pinhole] } else { &[F::Matrix] };
                 let index = &path[path.trim_end_matches(|c: char| c.is_ascii_digit()).len()..];
-                return scope.entries.push(entry(fields, index, Some(word)));
+                return scope.entries.push(entry(fields, index, Some(word), node.numbers()));
             }
         }
     }
@@ -175,14 +174,13 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
             scope.inner.push(inner);
         }
         Value::Numbers(..) if node.is_shape() => {}
-        _ => scope.entries.push(entry(&[F::Unknown], "", None)),
+        _ => scope.entries.push(entry(&[F::Unknown], "", None, node.numbers())),
     }
 }
 
 /// True if a node has names of the table inside.
 fn has_names(node: &Node) -> bool {
-    let is_matrix =
-        |child: &Node| matches!(child.numbers().0.len(), 12 | 16) && words::of_name(&plain(&child.name)).is_some();
+    let is_matrix = |child: &Node| matches!(child.count(), 12 | 16) && words::of_name(&plain(&child.name)).is_some();
     node.children().iter().any(|child| is_known(&plain(&child.name)) || has_names(child) || is_matrix(child))
 }
 
