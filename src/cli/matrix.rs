@@ -6,7 +6,9 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::{Failure, json_of, open, print, text_to_print};
-use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, camera_names, read_cameras, recognise};
+use crate::camera::{
+    Candidate, LeftOut, Order, Pasted, Recognised, Stated, Unknown, Used, camera_names, read_cameras, recognise,
+};
 use crate::cli::args::figure::size;
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::words::{TableFormat, written};
@@ -29,6 +31,8 @@ struct Answer {
     unknown: Vec<Open>,
     readings: Vec<OneReading>,
     assumed: Vec<String>,
+    used: Vec<UsedEntry>,
+    left_out: Vec<LeftOutEntry>,
     /// The names of the cameras of the file, if there are several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     cameras: Vec<String>,
@@ -39,6 +43,24 @@ struct Answer {
 struct Open {
     code: &'static str,
     message: &'static str,
+}
+
+/// An entry of the text that is in the camera.
+#[derive(Serialize)]
+struct UsedEntry {
+    name: String,
+    value: String,
+    #[serde(rename = "as")]
+    meaning: &'static str,
+}
+
+/// An entry of the text that isn't in the camera.
+#[derive(Serialize)]
+struct LeftOutEntry {
+    name: String,
+    value: String,
+    reason: String,
+    changes_image: Option<bool>,
 }
 
 /// A reading that fits, with its camera.
@@ -69,9 +91,11 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
         None => args.numbers.clone().unwrap_or_default().into_bytes(),
     };
     let cameras = read_cameras(&bytes).map_err(|fault| refused(dialects::unreadable(lang, &fault)))?;
-    let chosen = chosen(&cameras, args.camera.as_deref()).ok_or_else(|| {
-        refused(dialects::no_such_camera(lang, args.camera.as_deref().unwrap_or_default(), &camera_names(&cameras)))
-    })?;
+    let names = camera_names(&cameras);
+    let wanted = args.camera.as_deref();
+    let all = wanted == Some(ALL);
+    let chosen = chosen(&cameras, wanted)
+        .ok_or_else(|| refused(dialects::no_such_camera(lang, wanted.unwrap_or_default(), &names)))?;
     let size = size(args.size.as_deref(), lang)?;
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
     let mut figure = opened.figure.clone();
@@ -80,25 +104,39 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
         axes: args.axes,
         by_columns: args.columns,
         ndc: args.ndc.map(Into::into),
-        image: size.or(chosen.image).unwrap_or(figure.image),
+        image: size.unwrap_or(figure.image),
     };
+    let is_list = all && cameras.len() > 1;
+    let lost = if is_list { figure.take_cameras(&cameras, &stated, size) } else { Vec::new() };
+    let taken = cameras.iter().zip(&names).find(|(_, name)| !lost.iter().any(|(lost, _)| lost == *name));
+    let chosen = taken.filter(|_| is_list).map_or(chosen, |(camera, _)| camera);
+    let stated = Stated { image: size.or(chosen.image).unwrap_or(opened.figure.image), ..stated };
     let found = recognise(chosen, &stated, camera.parameters())
         .map_err(|error| refused(dialects::recovery_error(lang, &error)))?;
     let best = found.best();
-    figure.camera = best.found.parameters;
-    if best.reading.kind.has_pixels() || chosen.image.is_some() {
-        figure.image = best.reading.image;
-    }
-    let all = args.camera.as_deref() == Some(ALL);
-    if all {
-        figure.take_other_cameras(&cameras, &stated);
+    if !is_list {
+        (figure.camera, figure.lens) = (best.found.parameters, None);
+        if best.reading.kind.has_pixels() || chosen.image.is_some() {
+            figure.image = best.reading.image;
+        }
     }
     let written = written(args.common.lang);
     let text = match args.format {
-        TableFormat::Json => json_of(&Answer::new(&found, camera_names(&cameras), written))?,
+        TableFormat::Json => json_of(&Answer::new(&found, chosen, &cameras, all, written))?,
         TableFormat::Text => {
-            let names = if all { Vec::new() } else { camera_names(&cameras) };
-            comments(&found, &names, written) + &text_to_print((&args.figure, &opened), &figure, lang)?
+            let mut head = comments(&found, chosen, if all { &[] } else { &names }, written);
+            if is_list {
+                let line = dialects::taken(written, cameras.len() - lost.len(), cameras.len());
+                // Writing to a String can't fail.
+                let _ = writeln!(head, "# {line}");
+                for (name, error) in &lost {
+                    let _ = writeln!(head, "# {}", dialects::not_taken(written, name, error.as_ref()));
+                }
+                for camera in cameras.iter().filter(|camera| camera.name != chosen.name) {
+                    left_out(&mut head, camera, &format!("{}: ", camera.name), written);
+                }
+            }
+            head + "\n" + &text_to_print((&args.figure, &opened), &figure, lang)?
         }
     };
     print(text.as_bytes(), lang)
@@ -128,9 +166,25 @@ fn chosen<'a>(cameras: &'a [Pasted], wanted: Option<&str>) -> Option<&'a Pasted>
 }
 
 impl Answer {
-    fn new(found: &Recognised, cameras: Vec<String>, lang: Lang) -> Self {
+    fn new(found: &Recognised, chosen: &Pasted, cameras: &[Pasted], all: bool, lang: Lang) -> Self {
         let best = found.best();
         let reading = best.reading;
+        let is_shown = |camera: &&Pasted| all || std::ptr::eq(*camera, chosen);
+        let used =
+            |used: &Used| UsedEntry { name: used.name.clone(), value: used.value.clone(), meaning: used.meaning };
+        let left = |left: &LeftOut| LeftOutEntry {
+            name: left.name.clone(),
+            value: left.value.clone(),
+            reason: dialects::left_out(lang, left),
+            changes_image: left.why.changes_image(),
+        };
+        let others = camera_names(cameras).into_iter().zip(cameras).filter(|(_, camera)| !is_shown(camera));
+        let others = others.map(|(name, camera)| LeftOutEntry {
+            name,
+            value: camera.used.iter().map(|used| used.value.as_str()).collect::<Vec<_>>().join(" "),
+            reason: dialects::texts(lang).other_camera.to_owned(),
+            changes_image: Some(false),
+        });
         let open = |unknown: &Unknown| Open { code: unknown.code(), message: dialects::unknown(lang, *unknown) };
         Self {
             kind: reading.kind.name(),
@@ -143,7 +197,15 @@ impl Answer {
             unknown: best.found.unknown.iter().map(open).collect(),
             readings: found.readings.iter().map(|candidate| OneReading::new(candidate, lang)).collect(),
             assumed: found.assumed.iter().map(|assumed| dialects::assumed(lang, found, *assumed)).collect(),
-            cameras,
+            used: cameras.iter().filter(is_shown).flat_map(|camera| &camera.used).map(used).collect(),
+            left_out: cameras
+                .iter()
+                .filter(is_shown)
+                .flat_map(|camera| &camera.left_out)
+                .map(left)
+                .chain(others)
+                .collect(),
+            cameras: camera_names(cameras),
         }
     }
 }
@@ -165,11 +227,13 @@ impl OneReading {
 }
 
 /// The reading of the matrix and the values that it leaves open, as comments of a figure file.
-fn comments(found: &Recognised, cameras: &[String], lang: Lang) -> String {
+fn comments(found: &Recognised, chosen: &Pasted, cameras: &[String], lang: Lang) -> String {
     let best = found.best();
-    let mut text = format!("# {}\n", dialects::reading(lang, best, found.evidence));
+    let mut text = String::new();
+    left_out(&mut text, chosen, "", lang);
+    // Writing to a String can't fail.
+    let _ = writeln!(text, "# {}", dialects::reading(lang, best, found.evidence));
     for reason in &best.reasons {
-        // Writing to a String can't fail.
         let _ = writeln!(text, "# - {}", dialects::reason(lang, *reason));
     }
     for assumed in &found.assumed {
@@ -184,5 +248,14 @@ fn comments(found: &Recognised, cameras: &[String], lang: Lang) -> String {
     if !cameras.is_empty() {
         let _ = writeln!(text, "# --camera: {}", crate::sanitize::escaped(&cameras.join(", ")));
     }
-    text + "\n"
+    text
+}
+
+/// The entries that the image could show, and that aren't in the camera, as comments.
+fn left_out(text: &mut String, camera: &Pasted, before: &str, lang: Lang) {
+    for left in camera.left_out.iter().filter(|left| left.why.changes_image() != Some(false)) {
+        let (before, name) = (crate::sanitize::escaped(before), crate::sanitize::escaped(&left.name));
+        // Writing to a String can't fail.
+        let _ = writeln!(text, "# {before}{name}: {}", dialects::left_out(lang, left));
+    }
 }

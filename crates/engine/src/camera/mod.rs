@@ -69,8 +69,9 @@ pub use photograph::{
 };
 pub use place::Place;
 pub use recovery::{
-    Assumed, Candidate, Certainty, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, Pasted, Reading,
-    Reason, Recognised, Recovered, RecoveryError, Stated, Unknown, camera_names, read_cameras, recognise, recover,
+    Assumed, Candidate, Certainty, Evidence, LeftOut, Lines, MatrixEntries, MatrixKind, MatrixTextError, Pasted,
+    Reading, Reason, Recognised, Recovered, RecoveryError, Stated, Unknown, Used, Why, camera_names, read_cameras,
+    recognise, recover,
 };
 pub use stations::{Projected, Stations};
 pub use stereo::Convergence;

@@ -87,7 +87,7 @@ P: [554.25, 0.0, 320.5, -38.7975, 0.0, 554.25, 240.5, 0.0, 0.0, 0.0, 1.0, 0.0]\n
 }
 
 #[test]
-fn a_stereo_pair_of_opencv_has_the_second_lens_and_pose() {
+fn the_second_camera_of_a_stereo_pair_of_opencv_stands_beside_the_first() {
     let matrix = |name: &str, numbers: &str| {
         format!("{name}: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ {numbers} ]\n")
     };
@@ -96,8 +96,11 @@ fn a_stereo_pair_of_opencv_has_the_second_lens_and_pose() {
         + &matrix("K2", "535., 0., 325., 0., 535., 245., 0., 0., 1.")
         + &matrix("R", "1., 0., 0., 0., 1., 0., 0., 0., 1.")
         + &matrix("T", "-3.3, 0.03, 0.01");
-    // C = −Rᵀ t.
-    holds(&text, MatrixKind::View, [535.0, 535.0, 325.0, 245.0], [640, 480], Some([3.3, -0.03, -0.01]));
+    // C = −Rᵀ t, and the first camera is the origin of their world.
+    holds(&text, MatrixKind::View, [530.0, 530.0, 320.0, 240.0], [640, 480], Some([0.0; 3]));
+    let (_, k, _, position) = read(&text, 1);
+    assert!(k.iter().zip([535.0, 535.0, 325.0, 245.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{k:?}");
+    assert!(position.abs_diff_eq(DVec3::new(3.3, -0.03, -0.01), 1e-6), "{position}");
     let rectified = text
         + &matrix("P1", "421.5, 0., 336., 0., 0., 421.5, 243., 0., 0., 0., 1., 0.")
         + &matrix("P2", "421.5, 0., 336., -1405., 0., 421.5, 243., 0., 0., 0., 1., 0.");

@@ -4,6 +4,7 @@
 mod common;
 
 mod camera_equations;
+mod camera_files;
 mod camera_operations;
 mod camera_parameters;
 mod camera_path;

@@ -2,7 +2,7 @@
 
 use super::Figure;
 use crate::appearance::Rgba;
-use crate::camera::{LensForm, Parameters, Pasted, Stated, camera_names, recognise};
+use crate::camera::{ImageSize, LensForm, Parameters, Pasted, RecoveryError, Stated, camera_names, recognise};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
 use crate::sanitize::is_obeyed;
 
@@ -67,20 +67,37 @@ impl Figure {
         }
     }
 
-    /// Gives the current camera the name of the first of several cameras of a file, and puts the others into the list,
-    /// as many as it holds. Cameras that can't be recognised are left out.
-    pub fn take_other_cameras(&mut self, cameras: &[Pasted], stated: &Stated) {
+    /// Takes the cameras of a file: the first that can be read becomes the current one, and the others the list, as many
+    /// as it holds. None of the old ones stays. Returns the cameras that weren't taken, with the reason; `None` means
+    /// that the list is full. `size`: that of every image, if you state it.
+    pub fn take_cameras(
+        &mut self,
+        cameras: &[Pasted],
+        stated: &Stated,
+        size: Option<ImageSize>,
+    ) -> Vec<(String, Option<RecoveryError>)> {
         let names = camera_names(cameras);
-        (self.cameras, self.compare) = (Vec::new(), None);
+        let mut left = Vec::new();
+        let mut taken = Vec::new();
+        for (camera, name) in cameras.iter().zip(names) {
+            let stated = Stated { image: size.or(camera.image).unwrap_or(stated.image), ..*stated };
+            match recognise(camera, &stated, &self.camera) {
+                Ok(_) if taken.len() > MAX_CAMERAS => left.push((name, None)),
+                Ok(found) => taken.push((name, found.best().found.parameters, stated.image)),
+                Err(error) => left.push((name, Some(error))),
+            }
+        }
+        let mut taken = taken.into_iter();
+        let Some((name, parameters, image)) = taken.next() else { return left };
+        (self.cameras, self.compare, self.lens) = (Vec::new(), None, None);
         self.tag = CameraTag::default();
-        self.tag.name = names.first().filter(|name| self.may_name_camera(name, None)).cloned();
-        for (camera, name) in cameras.iter().zip(names).skip(1).take(MAX_CAMERAS) {
-            let stated = Stated { image: camera.image.unwrap_or(stated.image), ..*stated };
-            let Ok(found) = recognise(camera, &stated, &self.camera) else { continue };
+        self.tag.name = Some(name).filter(|name| self.may_name_camera(name, None));
+        (self.camera, self.image) = (parameters, image);
+        for (name, parameters, _) in taken {
             let name = if self.may_name_camera(&name, None) { name } else { self.free_camera_name() };
-            let parameters = found.best().found.parameters;
             self.add_camera(NamedCamera { name, color: None, parameters, lens: None });
         }
+        left
     }
 
     /// Exchanges the current camera and one of the list, with their names and colors.

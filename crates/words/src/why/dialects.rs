@@ -1,8 +1,8 @@
 //! The camera in other vocabularies, and a pasted matrix.
 
 use crate::camera::{
-    Assumed, Axes, Candidate, Certainty, Evidence, Lines, MatrixKind, MatrixTextError, NdcRange, Order, Reading,
-    Reason, Recognised, RecoveryError, Unknown,
+    Assumed, Axes, Candidate, Certainty, Evidence, LeftOut, Lines, MatrixKind, MatrixTextError, NdcRange, Order,
+    Reading, Reason, Recognised, RecoveryError, Unknown, Why,
 };
 use crate::explain::vocabulary::{CameraNumber, Limitation, Vocabulary};
 use crate::sanitize::escaped;
@@ -191,7 +191,9 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
         Unknown::WindowCentre => text!(lang, unknown_window_centre),
         Unknown::Far => text!(lang, unknown_far),
         Unknown::Lens => text!(lang, unknown_lens),
+        Unknown::Window => text!(lang, unknown_window),
         Unknown::Pose => text!(lang, unknown_pose),
+        Unknown::RigOrigin => text!(lang, unknown_rig_origin),
         Unknown::DepthDirection => text!(lang, unknown_depth_direction),
         Unknown::LeftHandedView => text!(lang, unknown_left_handed_view),
         Unknown::Rounded => text!(lang, unknown_rounded),
@@ -213,15 +215,66 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
     }
 }
 
+/// The reason why an entry of a file isn't in the camera.
+pub fn left_out(lang: Lang, left: &LeftOut) -> String {
+    let text = match &left.why {
+        Why::Distortion { model, pixels } => {
+            let model = if model.is_empty() { "k" } else { model };
+            let (model, value) = (escaped(model), escaped(&left.value));
+            return match pixels {
+                Some(pixels) => {
+                    let pixels = lang.mark().number(*pixels, 1);
+                    text!(lang, left_distortion_by, model, value, pixels)
+                }
+                None => text!(lang, left_distortion, model, value),
+            };
+        }
+        Why::Unknown => text!(lang, left_unknown),
+        Why::NotUsed => text!(lang, left_not_used),
+        Why::Repeated => text!(lang, left_repeated),
+        Why::Overridden => text!(lang, left_overridden),
+        Why::SaysNothing => text!(lang, left_says_nothing),
+        Why::Zero => text!(lang, left_zero),
+        Why::BeforeRectification => text!(lang, left_before_rectification),
+        Why::NotCamera => text!(lang, left_not_camera),
+        Why::Fisheye => text!(lang, left_fisheye),
+    };
+    text.to_owned()
+}
+
+/// How many cameras of a file were taken.
+pub fn taken(lang: Lang, count: usize, all: usize) -> String {
+    text!(lang, taken, count, all)
+}
+
+/// A camera of a file that isn't taken.
+pub fn not_taken(lang: Lang, name: &str, error: Option<&RecoveryError>) -> String {
+    let name = escaped(name);
+    match error {
+        Some(error) => {
+            let why = recovery_error(lang, error);
+            text!(lang, not_taken_because, name, why)
+        }
+        None => text!(lang, not_taken_full, name),
+    }
+}
+
 /// The reason why a text isn't a matrix.
 pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
     translated! { lang, fault;
         MatrixTextError::Count(count) =>
-            "{count} números; uma matriz tem 16, quatro linhas de quatro, ou 12: K [R | t], ou 9: K, ou 7: um quatérnio e t";
+            "{count} números, e nenhum nome diz o que são; sem nomes são lidos 16 números (uma matriz), 12 (K [R | t], ou R e t), 9 (K, ou C, PF e VUP) ou 7 (um quatérnio e t); o guia “Câmeras de outros programas” lista os arquivos e nomes que são lidos";
         MatrixTextError::NoCamera(format) => "não há câmera nele; {format} não tem nenhuma das chaves de uma câmera";
         MatrixTextError::NotText => "não é texto nem GLB";
         MatrixTextError::Elided => "“...” está no lugar de números que foram omitidos; escreva todos";
         MatrixTextError::Part(part) => "“{}” não é um número" (escaped(part));
+        MatrixTextError::Latex =>
+            "LaTeX com várias matrizes não pode ser lido; cole apenas os números de M_v, ou os de M_p";
+        MatrixTextError::NotCamera(name) =>
+            "{} não é a matriz de uma câmera, pelo nome; cole K, R e t, ou uma matriz de vista ou de projeção" (escaped(name));
+        MatrixTextError::Incomplete(names) =>
+            "{} não pode ser lido como uma câmera: uma pose precisa de uma posição e de suas direções, de R e t, ou de um quatérnio e t; o guia “Câmeras de outros programas” lista os nomes que são lidos" (escaped(names));
+        MatrixTextError::Range { name, value, allowed } => "{} é {value}; permitido: {allowed}" (escaped(name));
     }
 }
 
@@ -241,6 +294,9 @@ pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
     }
     translated! { lang, error;
         RecoveryError::Camera(error) => "{}" (messages::camera(lang, error));
+        RecoveryError::Unread(fault) => "{}" (unreadable(lang, fault));
+        RecoveryError::Disparity =>
+            "ela leva um pixel e sua disparidade a um ponto (Q de stereoRectify), o que nenhuma câmera faz; cole P1 ou P2";
         RecoveryError::Length { row, length } =>
             "a linha {row} tem comprimento {}; as linhas de uma matriz de vista são versores" (number(*length));
         RecoveryError::NotFinite { row, column, value } =>

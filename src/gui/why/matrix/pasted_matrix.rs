@@ -66,6 +66,10 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mu
         Err(error) => refused(ui, model, explain, camera, &stated, &error),
         Ok(found) => recognised(ui, model, explain, t, &found),
     }
+    // What isn't in the camera is seen before it's taken.
+    for left in camera.left_out.iter().filter(|left| left.why.changes_image() != Some(false)) {
+        note(ui, &format!("• {}: {}", crate::sanitize::escaped(&left.name), dialects::left_out(lang, left)));
+    }
     if cameras.len() > 1 && ui.button(t.take_all).explained(t.take_all_hint).clicked() {
         take_all(model, explain, &cameras, &stated);
     }
@@ -73,15 +77,17 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, model: &mut Model, explain: &mu
 
 /// Makes the first camera that of the figure, and the others its list.
 fn take_all(model: &mut Model, explain: &Explain, cameras: &[Pasted], stated: &Stated) {
-    let Some(first) = cameras.first() else { return };
-    let image = explain.pasted.image.or(first.image).unwrap_or(stated.image);
-    let stated = Stated { image, ..*stated };
-    let Ok(found) = recognise(first, &stated, model.desk.shown.draft()) else { return };
-    if first.image.is_some() && image != model.desk.shown.figure().image {
-        model.desk.shown.edit(|figure| figure.image = image);
+    let stated = Stated { image: model.desk.shown.figure().image, ..*stated };
+    let mut taken = model.desk.shown.figure().clone();
+    taken.take_cameras(cameras, &stated, explain.pasted.image);
+    if taken.image != model.desk.shown.figure().image {
+        model.desk.shown.edit(|figure| figure.image = taken.image);
     }
-    take(model, found.best().found.parameters);
-    model.desk.shown.edit_cameras(|figure| figure.take_other_cameras(cameras, &stated));
+    take(model, taken.camera);
+    model.desk.shown.edit_cameras(|figure| {
+        (figure.cameras, figure.tag, figure.compare, figure.lens) =
+            (taken.cameras, taken.tag, taken.compare, taken.lens);
+    });
 }
 
 /// A choice among the cameras of a file. A text with one camera has none.

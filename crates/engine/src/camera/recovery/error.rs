@@ -2,6 +2,7 @@
 
 use glam::DVec4;
 
+use crate::camera::recovery::MatrixTextError;
 use crate::camera::{CameraError, Ndc};
 
 /// The lines of a matrix.
@@ -166,6 +167,12 @@ pub enum RecoveryError {
         /// A convention in which it would be a camera.
         fits: Option<Ndc>,
     },
+    /// A matrix from disparities to points.
+    #[error("it takes a pixel and its disparity to a point (Q of stereoRectify), which no camera does; paste P1 or P2")]
+    Disparity,
+    /// A part of a text that can't be read.
+    #[error(transparent)]
+    Unread(#[from] MatrixTextError),
     /// The result isn't a camera.
     #[error(transparent)]
     Camera(#[from] CameraError),

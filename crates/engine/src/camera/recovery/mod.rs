@@ -20,7 +20,7 @@ pub use error::{Lines, RecoveryError};
 pub use evidence::Reason;
 pub use reading::{MatrixKind, Reading, Stated};
 pub use recognition::{Assumed, Candidate, Certainty, Evidence, Recognised, recognise};
-pub use text::{MatrixTextError, Pasted, camera_names, read_cameras};
+pub use text::{LeftOut, MatrixTextError, Pasted, Used, Why, camera_names, read_cameras};
 pub use unknown::Unknown;
 
 use glam::DMat4;

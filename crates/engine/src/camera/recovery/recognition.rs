@@ -1,10 +1,10 @@
 //! The reading of a matrix of another program. Every candidate is tried, refused by the numbers or ranked by evidence.
 
 use crate::camera::recovery::evidence::{Weight, is_rigid, is_rotation, is_scaled};
-use crate::camera::recovery::text::{GivenLens, Word};
+use crate::camera::recovery::text::{GivenLens, Size, Word};
 use crate::camera::recovery::{
     Axes, MatrixEntries, MatrixKind, NdcRange, Order, Pasted, Reading, Reason, Recovered, Recovery, RecoveryError,
-    Stated, Unknown, pinhole, recover, refusal,
+    SLACK, Stated, Unknown, pinhole, recover, refusal,
 };
 use crate::camera::{Camera, ImageSize, Parameters, Projection};
 
@@ -110,16 +110,29 @@ const LIKELY: f64 = 3.0;
 /// # Errors
 /// The error of the likeliest reading, if none gives a camera.
 pub fn recognise(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Result<Recognised, RecoveryError> {
+    if let Some(error) = &pasted.refused {
+        return Err(error.clone());
+    }
     let Some(entries) = &pasted.entries else { return lens_alone(pasted, stated, current) };
+    // What a format states isn't for the numbers to overrule.
+    let format = pasted.word.filter(|word| !word.is_weak && word.axes.is_some() && word.order.is_some());
+    let stated = &format.map_or(*stated, |word| Stated {
+        kind: stated.kind.or(word.kind),
+        axes: stated.axes.or(word.axes),
+        by_columns: stated.by_columns || word.order == Some(Order::Columns),
+        ..*stated
+    });
     if let Some((row, column, value)) = entries.not_finite() {
         return Err(RecoveryError::NotFinite { row, column, value });
     }
     if entries.count() == 16 {
+        refusal::check_disparity(entries.matrix(false))?;
         refusal::check_singular(entries.matrix(stated.by_columns))?;
     }
     let mut refused = Vec::new();
     let mut candidates: Vec<Candidate> = Vec::new();
-    for (reading, order) in hypotheses(entries, stated) {
+    let axes = pasted.word.and_then(|word| word.axes);
+    for (reading, order) in hypotheses(entries, stated, axes) {
         match candidate((reading, order), entries, (pasted, stated), current) {
             Ok(candidate) => candidates.push(candidate),
             Err(error) => refused.push((reading, order, error)),
@@ -140,13 +153,24 @@ pub fn recognise(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Resu
     if distinct.is_empty() {
         return Err(refusal::cause(entries, stated, refused));
     }
-    let mut found = judged(distinct, &elsewhere, stated);
-    found.assumed.retain(|assumed| pasted.image.is_none() || !matches!(assumed, Assumed::Image(_)));
-    Ok(found)
+    let elsewhere = if format.is_some() { &[][..] } else { &elsewhere };
+    Ok(capped(judged(distinct, elsewhere, stated), pasted))
 }
 
-/// All readings to try: kind × axes × NDC, in every order.
-fn hypotheses(entries: &MatrixEntries, stated: &Stated) -> Vec<(Reading, Order)> {
+/// A reading isn't certain while an entry that the image could show is left out, nor are three vectors without names.
+fn capped(mut found: Recognised, pasted: &Pasted) -> Recognised {
+    found.assumed.retain(|assumed| pasted.image.is_none() || !matches!(assumed, Assumed::Image(_)));
+    let best = &mut found.readings[0];
+    let is_partial = pasted.left_out.iter().any(|left| left.why.changes_image() != Some(false));
+    let is_bare = best.reading.kind == MatrixKind::LookAt && pasted.word.is_none();
+    if is_partial || is_bare {
+        best.certainty = best.certainty.min(Certainty::Likely);
+    }
+    found
+}
+
+/// All readings to try: kind × axes × NDC, in every order. `named` are the axes that a word of the text means.
+fn hypotheses(entries: &MatrixEntries, stated: &Stated, named: Option<Axes>) -> Vec<(Reading, Order)> {
     use MatrixKind::{CameraToWorld, Intrinsics, LookAt, Pinhole, Projection, View, ViewProjection};
     let mut kinds = match entries.count() {
         7 => vec![CameraToWorld, View],
@@ -172,7 +196,7 @@ fn hypotheses(entries: &MatrixEntries, stated: &Stated) -> Vec<(Reading, Order)>
                 (None, Projection) => vec![Axes::OPENGL, Axes::DIRECT3D, Axes::OPENCV],
                 (None, ViewProjection) => vec![Axes::OPENGL, Axes::OPENCV, Axes::DIRECT3D],
                 (None, Pinhole | Intrinsics) => vec![Axes::OPENCV],
-                (None, LookAt) => vec![Axes::OPENGL],
+                (None, LookAt) => vec![named.unwrap_or(Axes::OPENGL)],
             };
             for axes in axes.into_iter().filter(|_| takes_order) {
                 for ndc in ranges(*kind, stated) {
@@ -223,8 +247,10 @@ fn candidate(
     }
     reading.ndc.infinite |= reading.kind.has_ndc() && found.unknown.contains(&Unknown::Far);
     if let Some(lens) = pasted.lens.filter(|_| reading.kind.has_camera_axes() || reading.kind == MatrixKind::LookAt) {
-        with_lens(&mut found, lens, &reading, current);
+        with_lens(&mut found, (lens, pasted.image.is_some()), &reading, current)?;
     }
+    found.unknown.extend(pasted.is_scaled.then_some(Unknown::Scaled));
+    found.unknown.extend(pasted.is_origin.then_some(Unknown::RigOrigin));
     if pasted.image.is_some() {
         found.unknown.retain(|unknown| *unknown != Unknown::ImageSize);
     }
@@ -340,16 +366,24 @@ fn lens_alone(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Result<
         Reading { kind: MatrixKind::Intrinsics, axes: Axes::OPENCV, ndc: NdcRange::default(), image: stated.image };
     let mut found = Recovered { parameters: *current, unknown: vec![Unknown::Pose] };
     if let Some(lens) = pasted.lens {
-        with_lens(&mut found, lens, &reading, current);
+        with_lens(&mut found, (lens, pasted.image.is_some()), &reading, current)?;
+    }
+    if pasted.image.is_some() {
+        found.unknown.retain(|unknown| *unknown != Unknown::ImageSize);
     }
     Camera::new(&found.parameters)?;
     let (reasons, weight) = (vec![Reason::Pixels], Weight::default());
     let only = Candidate { reading, order: Order::Rows, found, reasons, certainty: Certainty::Only, weight };
-    Ok(judged(vec![only], &[], stated))
+    Ok(capped(judged(vec![only], &[], stated), pasted))
 }
 
-/// The lens that a file has beside a pose.
-fn with_lens(found: &mut Recovered, lens: GivenLens, reading: &Reading, current: &Parameters) {
+/// The lens that a file has beside a pose, or alone. `has_image`: the file has the size of its image.
+fn with_lens(
+    found: &mut Recovered,
+    (lens, has_image): (GivenLens, bool),
+    reading: &Reading,
+    current: &Parameters,
+) -> Result<(), RecoveryError> {
     let mut recovery = Recovery {
         current: *current,
         found: found.parameters,
@@ -357,37 +391,86 @@ fn with_lens(found: &mut Recovered, lens: GivenLens, reading: &Reading, current:
         unknown: std::mem::take(&mut found.unknown),
     };
     recovery.unknown.retain(|unknown| *unknown != Unknown::Lens);
-    let sides = [reading.image.width, reading.image.height].map(f64::from);
-    match lens {
-        GivenLens::Pixels { focal_lengths, principal_point } => recovery.pixels(focal_lengths, principal_point),
-        GivenLens::AngleX(angle) => {
-            let f = sides[0] / 2.0 / (angle / 2.0).tan();
-            recovery.pixels([f, f], sides.map(|side| side / 2.0));
-        }
-        GivenLens::AngleY { degrees, aspect, near, far } => {
-            recovery.distances();
-            let p = &mut recovery.found;
-            (p.projection, p.window, p.view_angle) = (Projection::Perspective, None, degrees);
-            p.aspect = aspect.unwrap_or_else(|| reading.image.aspect());
-            p.near = near.unwrap_or(p.near);
-            p.far = far.unwrap_or_else(|| p.far.max(2.0 * p.near));
-            if far.is_none() {
-                recovery.unknown.push(Unknown::Far);
-            }
-        }
-        GivenLens::Parallel { height, aspect, planes } => {
-            if planes.is_none() {
-                recovery.distances();
-            }
-            let p = &mut recovery.found;
-            (p.projection, p.window, p.height) = (Projection::Parallel, None, height);
-            p.aspect = aspect.unwrap_or_else(|| reading.image.aspect());
-            [p.near, p.far] = planes.unwrap_or([p.near, p.far]);
-        }
+    if !lens.is_parallel || lens.near.is_none() {
+        recovery.distances();
     }
+    let p = &mut recovery.found;
+    p.near = lens.near.unwrap_or(p.near);
+    p.far = lens.far.unwrap_or_else(|| p.far.max(2.0 * p.near));
+    let near = p.near;
+    let zoom = if lens.zoom > 0.0 { lens.zoom } else { 1.0 };
+    let [m, n] = [reading.image.width, reading.image.height].map(f64::from);
+    let own = current.window.map_or(current.aspect, |w| (w.right - w.left) / (w.top - w.bottom));
+    let aspect = lens.aspect.unwrap_or(if has_image { reading.image.aspect() } else { own });
+    let by = if lens.is_parallel { 1.0 } else { near };
+    if lens.size != Size::Open || lens.is_parallel {
+        p.projection = if lens.is_parallel { Projection::Parallel } else { Projection::Perspective };
+    }
+    let of_height = |height: f64| [aspect * height / zoom, height / zoom];
+    let [width, height] = match lens.size {
+        Size::Open => [0.0; 2],
+        Size::Pixels { focal_lengths, principal_point, skew } => {
+            if skew.abs() > SLACK * focal_lengths[0] {
+                return Err(RecoveryError::Skew { skew, focal_length: focal_lengths[0] });
+            }
+            recovery.unknown.extend((skew != 0.0).then_some(Unknown::SkewDropped));
+            let [x, y, across, down] = lens.crop.unwrap_or([0.0, 0.0, 1.0, 1.0]);
+            let [full_m, full_n] = [m / across, n / down];
+            let [c_x, c_y] = principal_point.unwrap_or([full_m / 2.0, full_n / 2.0]);
+            let point = [c_x - x * full_m, c_y - y * full_n];
+            let f = focal_lengths.map(|f| f * zoom);
+            if lens.is_parallel {
+                let [width, height] = [m / f[0], n / f[1]];
+                recovery.window([width, height], [(0.5 - point[0] / m) * width, (point[1] / n - 0.5) * height]);
+            } else {
+                recovery.pixels(f, point);
+            }
+            [0.0; 2]
+        }
+        Size::AngleY(degrees) => of_height(2.0 * near * (degrees.to_radians() / 2.0).tan()),
+        Size::SlopeY(slope) => of_height(slope * by),
+        Size::SlopeX(slope) => of_height(slope * by / aspect),
+        Size::SlopeSmaller(slope) => of_height(slope * by / aspect.min(1.0)),
+        Size::SlopeLarger(slope) => of_height(slope * by / aspect.max(1.0)),
+        Size::Height(height) => of_height(height),
+        Size::Width(width) => of_height(width / aspect),
+        Size::Sides([left, right, bottom, top]) => [(right - left) / zoom, (top - bottom) / zoom],
+    };
+    if width != 0.0 && height != 0.0 {
+        let mut middle = match lens.size {
+            Size::Sides([left, right, bottom, top]) => [(left + right) / 2.0, (bottom + top) / 2.0],
+            _ if lens.shift_of_height => [lens.shift[0] * height, lens.shift[1] * height],
+            _ => [lens.shift[0] * width, lens.shift[1] * height],
+        };
+        let mut size = [width, height];
+        if let Some([x, y, across, down]) = lens.crop {
+            middle[0] += (x + across / 2.0 - 0.5) * width;
+            middle[1] += (0.5 - y - down / 2.0) * height;
+            size = [across * width, down * height];
+        }
+        recovery.window(size, middle);
+        // The numbers themselves, without the rounding of products.
+        let p = &mut recovery.found;
+        if p.window.is_none() && lens.crop.is_none() {
+            p.aspect = if matches!(lens.size, Size::Sides(_)) { p.aspect } else { aspect };
+            if let (Size::AngleY(degrees), true) = (lens.size, zoom == 1.0) {
+                p.view_angle = degrees;
+            }
+        }
+    } else if lens.size == Size::Open {
+        recovery.found.aspect = lens.aspect.unwrap_or(recovery.found.aspect);
+        recovery.unknown.push(Unknown::Window);
+    }
+    recovery.unknown.retain(|unknown| *unknown != Unknown::ClippingPlanes);
+    recovery.unknown.extend(match (lens.near, lens.far) {
+        (None, None) => Some(Unknown::ClippingPlanes),
+        (Some(_), None) => Some(Unknown::Far),
+        _ => None,
+    });
     recovery.unknown.sort();
     recovery.unknown.dedup();
     *found = Recovered { parameters: recovery.found, unknown: recovery.unknown };
+    Ok(())
 }
 
 /// True if two cameras are the same but for rounding.

@@ -8,6 +8,19 @@ use crate::camera::recovery::{Lines, MatrixEntries, MatrixKind, Order, Reading, 
 /// A reading that the numbers refused.
 pub(crate) type Refused = (Reading, Order, RecoveryError);
 
+/// Refuses Q of `stereoRectify`, which leads from a pixel and its disparity to a point: no camera.
+///
+/// # Errors
+/// [`RecoveryError::Disparity`].
+pub(crate) fn check_disparity(m: DMat4) -> Result<(), RecoveryError> {
+    let [a, b, c, d] = [0, 1, 2, 3].map(|i| m.row(i).to_array());
+    let is_row = |row: [f64; 4], places: &[usize]| {
+        (0..4).all(|i| places.contains(&i) == (row[i] != 0.0) || places.len() == 2 && i == 3)
+    };
+    let is_q = is_row(a, &[0, 3]) && is_row(b, &[1, 3]) && is_row(c, &[3]) && is_row(d, &[2, 3]);
+    if is_q && a[3].abs() > 2.0 * a[0].abs() { Err(RecoveryError::Disparity) } else { Ok(()) }
+}
+
 /// Refuses a matrix that has no inverse, and names the line that is zero.
 ///
 /// # Errors

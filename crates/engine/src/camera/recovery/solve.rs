@@ -74,7 +74,9 @@ impl Recovery {
 
     /// C, PF and VUP, one in each row.
     pub(crate) fn look_at(&mut self, m: DMat4) {
-        let [position, focal_point, view_up] = [0, 1, 2].map(|i| m.row(i).truncate());
+        self.note_world();
+        let axes = self.reading.axes;
+        let [position, focal_point, view_up] = [0, 1, 2].map(|i| axes.world_from_foreign(m.row(i).truncate()));
         self.found.position = position;
         self.found.focal_point = focal_point;
         self.found.view_up = view_up;
@@ -104,8 +106,8 @@ impl Recovery {
         Ok([u, (v - u * v.dot(u)).normalize(), n])
     }
 
-    /// C, and PF and VUP as far as they were right, in a right-handed world.
-    pub(crate) fn pose(&mut self, position: DVec3, v: DVec3, n: DVec3) {
+    /// Says how the world of the matrix was brought to ours.
+    fn note_world(&mut self) {
         let axes = self.reading.axes;
         self.unknown.extend(match (axes.left_handed, axes.up == WorldUp::Z) {
             (true, true) => Some(Unknown::WorldExchanged),
@@ -113,6 +115,12 @@ impl Recovery {
             (false, true) => Some(Unknown::WorldTurned),
             (false, false) => None,
         });
+    }
+
+    /// C, and PF and VUP as far as they were right, in a right-handed world.
+    pub(crate) fn pose(&mut self, position: DVec3, v: DVec3, n: DVec3) {
+        self.note_world();
+        let axes = self.reading.axes;
         let [position, v, n] = [position, v, n].map(|vector| axes.world_from_foreign(vector));
         let distance = (self.current.focal_point - self.current.position).length();
         let up = self.current.view_up;

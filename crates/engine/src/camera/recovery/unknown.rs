@@ -17,8 +17,12 @@ crate::worded! {
         Far = "far",
         /// Lens, F and B are kept.
         Lens = "lens",
+        /// θ, or H, is kept: the text has none.
+        Window = "window",
         /// C, PF and VUP are kept.
         Pose = "pose",
+        /// It has no pose, and the other cameras of its file stand around it, so it's the origin of their world.
+        RigOrigin = "rig-origin",
         /// z is turned around beside that of the notes. The volume is the same, but depth grows the other way.
         DepthDirection = "depth-direction",
         /// The axes of the view are left-handed, so **n** is turned around.

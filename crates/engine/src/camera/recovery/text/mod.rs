@@ -1,30 +1,33 @@
 //! A text or a file of another program → the cameras in it.
 //!
-//! Each real format has its reader: JSON, YAML, COLMAP, glTF, trajectories of `Open3D`, `ParaView`. A text of another
-//! form is a list of numbers under names (`K =`, `R:`, `P2:`), as programs print them. The names and counts say which
-//! is which.
+//! Every form becomes one tree of names and values ([`tree`]). Files that keep a camera in several places are put in
+//! order first ([`files`]). Then one walker ([`walk`]) asks one table of names ([`names`]) for the meaning of each entry,
+//! and each entry is used, or named as left out ([`camera`]). Numbers without such names are a matrix, a quaternion, K or
+//! three vectors by their count.
 
-#[cfg(feature = "import")]
-mod gltf;
-#[cfg(feature = "import")]
-mod json;
-mod lines;
+mod account;
+mod camera;
+mod files;
+mod lens;
+mod names;
 pub(crate) mod numbers;
-mod paraview;
+mod tokens;
+mod tree;
+mod walk;
 mod words;
-#[cfg(feature = "import")]
-mod yaml;
+mod xml;
 
-use glam::{DMat3, DMat4, DVec3};
+use glam::DMat4;
 
 use crate::camera::ImageSize;
-use crate::camera::recovery::entries::{MatrixEntries, Written, rigid};
-use crate::camera::recovery::{Axes, MatrixKind, Order};
-use numbers::Segment;
+use crate::camera::recovery::entries::{MatrixEntries, Written};
+use crate::camera::recovery::{Axes, MatrixKind, Order, RecoveryError};
+use camera::in_line;
+use tree::Node;
 pub(crate) use words::Word;
 
 /// A camera of a text: its numbers, and the parts of their reading that the format or the words state.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pasted {
     /// Its name in the file, such as that of its image. Empty if it has none.
     pub name: String,
@@ -36,28 +39,134 @@ pub struct Pasted {
     pub(crate) lens: Option<GivenLens>,
     /// The size of its image.
     pub image: Option<ImageSize>,
+    /// The reason why it can't be read. It keeps its place in the list.
+    pub(crate) refused: Option<RecoveryError>,
+    /// Its pose is relative to the camera before.
+    is_chained: bool,
+    /// It has no pose, and the others of the file stand around it.
+    pub(crate) is_origin: bool,
+    /// A scale above it was left out.
+    pub(crate) is_scaled: bool,
+    /// The entries of the text that make it.
+    pub used: Vec<Used>,
+    /// The other entries, those that the image could show first.
+    pub left_out: Vec<LeftOut>,
 }
 
-/// A lens beside a pose.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum GivenLens {
-    /// K in pixels.
-    Pixels { focal_lengths: [f64; 2], principal_point: [f64; 2] },
-    /// The angle from left to right, in radians.
-    #[cfg_attr(not(feature = "import"), expect(dead_code, reason = "only nerfstudio has it"))]
-    AngleX(f64),
-    /// The angle from bottom to top in degrees. Missing values stay.
-    AngleY { degrees: f64, aspect: Option<f64>, near: Option<f64>, far: Option<f64> },
-    /// A parallel projection: H, and A, F and B if they are there.
-    Parallel { height: f64, aspect: Option<f64>, planes: Option<[f64; 2]> },
+/// An entry of a text that is in the camera.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Used {
+    /// As it stands in the text, with the names around it.
+    pub name: String,
+    /// Its numbers, or its word.
+    pub value: String,
+    /// The symbol of its meaning: C, `f_x`, theta.
+    pub meaning: &'static str,
+}
+
+/// An entry of a text that isn't in the camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeftOut {
+    /// As it stands in the text, with the names around it.
+    pub name: String,
+    /// Its numbers, or its word.
+    pub value: String,
+    /// The reason.
+    pub why: Why,
+}
+
+/// The reason why an entry is left out.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Why {
+    /// Its name has no known meaning.
+    Unknown,
+    /// It has a meaning, but the camera can't have it.
+    NotUsed,
+    /// The same entry came before.
+    Repeated,
+    /// A nearer or a fuller entry says it.
+    Overridden,
+    /// It says nothing of the image.
+    SaysNothing,
+    /// It's 0, so it changes nothing.
+    Zero,
+    /// It's of the image before rectification.
+    BeforeRectification,
+    /// Another sensor, or a map that is no camera.
+    NotCamera,
+    /// A lens that is no pinhole.
+    Fisheye,
+    /// Distortion, by its model, with the largest shift at a corner of the image in pixels if it's known.
+    Distortion {
+        /// The word of the file; empty if it has none.
+        model: String,
+        /// Pixels.
+        pixels: Option<f64>,
+    },
+}
+
+impl Why {
+    /// True if the image would be another one with it; `None` if that isn't known.
+    pub const fn changes_image(&self) -> Option<bool> {
+        match self {
+            Self::Unknown => None,
+            Self::NotUsed | Self::Repeated | Self::Fisheye | Self::Distortion { .. } => Some(true),
+            _ => Some(false),
+        }
+    }
+}
+
+/// A lens beside a pose, or alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct GivenLens {
+    pub(crate) size: Size,
+    pub(crate) is_parallel: bool,
+    pub(crate) aspect: Option<f64>,
+    /// The middle of the window, in shares of its sides.
+    pub(crate) shift: [f64; 2],
+    /// Both shares are of the height.
+    pub(crate) shift_of_height: bool,
+    /// 0 and 1 are the same.
+    pub(crate) zoom: f64,
+    pub(crate) near: Option<f64>,
+    pub(crate) far: Option<f64>,
+    /// The part of a larger image: left, top, width and height in shares of it.
+    pub(crate) crop: Option<[f64; 4]>,
+}
+
+/// The size of a window. A slope is the side over F.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) enum Size {
+    /// That of the figure.
+    #[default]
+    Open,
+    /// K in pixels. Without a principal point it's the middle of the image.
+    Pixels {
+        focal_lengths: [f64; 2],
+        principal_point: Option<[f64; 2]>,
+        skew: f64,
+    },
+    /// In degrees.
+    AngleY(f64),
+    SlopeY(f64),
+    SlopeX(f64),
+    SlopeSmaller(f64),
+    SlopeLarger(f64),
+    /// l, r, b and t.
+    Sides([f64; 4]),
+    /// Of a parallel projection.
+    Height(f64),
+    Width(f64),
 }
 
 /// The reason why a text holds no camera.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MatrixTextError {
-    /// Another count of numbers.
-    #[error("{0} numbers; a matrix has 16, four rows of four, or 12: K [R | t], or 9: K, or 7: a quaternion and t")]
+    /// Another count of numbers, and no name that says what they are.
+    #[error(
+        "{0} numbers, and no name says what they are; without names it reads 16 numbers (a matrix), 12 (K [R | t], or R and t), 9 (K, or C, PF and VUP) or 7 (a quaternion and t); the guide “Cameras of other programs” lists the files and names that it reads"
+    )]
     Count(usize),
     /// A part of it isn't a number.
     #[error("“{}” is not a number", crate::sanitize::escaped(.0))]
@@ -68,6 +177,27 @@ pub enum MatrixTextError {
     /// A file of a known format without a camera.
     #[error("no camera in it; {0} has none of the keys of a camera")]
     NoCamera(&'static str),
+    /// Matrices of LaTeX.
+    #[error("LaTeX with several matrices can't be read; paste the numbers of M_v, or of M_p, alone")]
+    Latex,
+    /// Names that are known, but that give no camera together.
+    #[error(
+        "{} can't be read as a camera: a pose needs a position and its directions, R and t, or a quaternion and t; the guide “Cameras of other programs” lists the names that it reads", crate::sanitize::escaped(.0)
+    )]
+    Incomplete(String),
+    /// A matrix of another kind.
+    #[error("{} is no matrix of a camera by its name; paste K, R and t, or a view or projection matrix", crate::sanitize::escaped(.0))]
+    NotCamera(String),
+    /// A number that no lens has.
+    #[error("{} is {value}; allowed: {allowed}", crate::sanitize::escaped(.name))]
+    Range {
+        /// As it stands in the text.
+        name: String,
+        /// Its value.
+        value: f64,
+        /// The allowed range, in symbols.
+        allowed: &'static str,
+    },
     /// A file that isn't text.
     #[error("it is neither text nor GLB")]
     NotText,
@@ -86,34 +216,48 @@ pub fn camera_names(cameras: &[Pasted]) -> Vec<String> {
 
 impl Pasted {
     fn new(name: &str, entries: MatrixEntries) -> Self {
-        Self { name: name.to_owned(), entries: Some(entries), word: None, lens: None, image: None }
+        Self { name: name.to_owned(), entries: Some(entries), ..Self::default() }
     }
 
-    /// A lens without a pose.
-    fn lens(name: &str, lens: GivenLens, image: Option<ImageSize>) -> Self {
-        Self { name: name.to_owned(), entries: None, word: None, lens: Some(lens), image }
+    /// From the file's world to the camera, in the axes of computer vision, if it has such a pose.
+    fn view(&self) -> Option<DMat4> {
+        let m = self.entries.as_ref().filter(|entries| entries.count() == 16)?.matrix(false);
+        match self.word?.kind? {
+            MatrixKind::View => Some(m),
+            MatrixKind::CameraToWorld => Some(m.inverse()),
+            _ => None,
+        }
     }
 
-    /// A pose that a format defines.
-    fn pose(
-        name: &str,
-        entries: MatrixEntries,
-        kind: MatrixKind,
-        axes: Axes,
-        (order, word): (Order, &'static str),
-    ) -> Self {
-        Self { word: Some(Word::full(word, kind, axes, order)), ..Self::new(name, entries) }
-    }
-}
-
-impl GivenLens {
-    const fn pixels(focal_lengths: [f64; 2], principal_point: [f64; 2]) -> Self {
-        Self::Pixels { focal_lengths, principal_point }
+    fn set_view(&mut self, view: DMat4) {
+        self.entries = Some(MatrixEntries::of_matrix(view, 0.0));
+        self.word = Some(Word::full("R, t", MatrixKind::View, Axes::OPENCV, Order::Rows));
     }
 
-    /// The lens of K, nine numbers by rows.
-    fn of_k(k: &[f64]) -> Self {
-        Self::pixels([k[0], k[4]], [k[2], k[5]])
+    /// The largest shift of a corner of the image by coefficients of distortion, in pixels.
+    fn shift_at_corner(&self, coefficients: &[(String, Vec<f64>)]) -> Option<f64> {
+        let ImageSize { width, height } = self.image?;
+        let Size::Pixels { focal_lengths: f, principal_point, .. } = self.lens?.size else { return None };
+        let [m, n] = [width, height].map(f64::from);
+        let middle = principal_point.unwrap_or([m / 2.0, n / 2.0]);
+        let mut k = [0.0; 8];
+        for (name, values) in coefficients {
+            let names = ["k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"];
+            let at = names.iter().position(|own| name.ends_with(own));
+            match (at, values.as_slice()) {
+                (Some(at), [value]) => k[at] = *value,
+                _ => k.iter_mut().zip(values).for_each(|(k, value)| *k = *value),
+            }
+        }
+        let shift = |[i, j]: [f64; 2]| {
+            let [x, y] = [(i - middle[0]) / f[0], (j - middle[1]) / f[1]];
+            let r = x * x + y * y;
+            let radial = (1.0 + r * (k[0] + r * (k[1] + r * k[4]))) / (1.0 + r * (k[5] + r * (k[6] + r * k[7]))) - 1.0;
+            let across = x * radial + 2.0 * k[2] * x * y + k[3] * (r + 2.0 * x * x);
+            let down = y * radial + k[2] * (r + 2.0 * y * y) + 2.0 * k[3] * x * y;
+            (f[0] * across).hypot(f[1] * down)
+        };
+        Some([[0.0, 0.0], [m, 0.0], [0.0, n], [m, n]].into_iter().map(shift).fold(0.0, f64::max))
     }
 }
 
@@ -122,34 +266,37 @@ impl GivenLens {
 /// # Errors
 /// [`MatrixTextError`] if there is none.
 pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
-    #[cfg(feature = "import")]
-    if bytes.starts_with(b"glTF") {
-        return gltf::of_glb(bytes);
-    }
+    let bytes = if bytes.starts_with(b"glTF") { chunk(bytes).ok_or(MatrixTextError::NoCamera("GLB"))? } else { bytes };
     let text = std::str::from_utf8(bytes).map_err(|_| MatrixTextError::NotText)?;
     let text = text.trim_start_matches('\u{feff}');
-    if let Some(cameras) = lines::colmap(text) {
-        return Ok(cameras);
+    let sign = camera::sign_of(text);
+    let by_lines = [files::colmap, files::trajectory, files::middlebury, files::table];
+    if let Some(tree) = by_lines.into_iter().find_map(|read| read(text)) {
+        return walk::cameras(&tree, sign);
     }
-    if let Some(poses) = lines::trajectory(text) {
-        return Ok(poses);
+    if text.matches("\\begin{").count() > 1 {
+        return Err(MatrixTextError::Latex);
     }
-    if let Some(camera) = paraview::camera(text) {
-        return Ok(vec![camera]);
+    let plain = numbers::without_comments(text);
+    let tree = tree::read(&plain)?;
+    let by_parts = [files::gltf, files::open_mvg, files::metashape, files::three_js];
+    if let Some(tree) = by_parts.into_iter().find_map(|read| read(&tree)) {
+        return walk::cameras(&tree, sign);
     }
-    #[cfg(feature = "import")]
-    if let Ok(value) = serde_json::from_str(text) {
-        return json::cameras(&value, text);
+    let found = walk::cameras(&tree, sign)?;
+    if !found.is_empty() {
+        return Ok(found);
     }
-    #[cfg(feature = "import")]
-    if let Some(cameras) = yaml::cameras(text) {
-        return Ok(cameras);
+    if tree.child("asset").is_some() {
+        return Err(MatrixTextError::NoCamera("glTF"));
     }
-    let (segments, stray) = numbers::segments(text)?;
-    of_segments(segments, text).map_err(|error| match (error, stray) {
-        (MatrixTextError::Count(_), Some(stray)) => MatrixTextError::Part(stray),
-        (error, _) => error,
-    })
+    of_numbers(&tree, &plain)
+}
+
+/// The first chunk of a GLB file: behind a header of 12 bytes its length, its kind, its JSON.
+fn chunk(bytes: &[u8]) -> Option<&[u8]> {
+    let length = u32::from_le_bytes(bytes.get(12..16)?.try_into().ok()?);
+    bytes.get(16..)?.strip_prefix(b"JSON")?.get(..usize::try_from(length).ok()?)
 }
 
 impl MatrixEntries {
@@ -171,41 +318,58 @@ impl MatrixEntries {
     }
 }
 
-/// The cameras of numbers under names.
-fn of_segments(segments: Vec<Segment>, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
-    let word = words::find(&numbers::without_comments(text));
-    let image = named_size(&segments);
-    let total: usize = segments.iter().map(|segment| segment.numbers.len()).sum();
-    let said = |camera: Pasted| Pasted { word: camera.word.or(word), image, ..camera };
-    if let Some(entries) = whole(&segments) {
-        return Ok(vec![said(Pasted::new("", entries))]);
+/// The camera of numbers that no name explains.
+fn of_numbers(tree: &Node, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
+    let mut leaves = Vec::new();
+    tree.leaves(&mut leaves);
+    let word = words::find(text);
+    let is_size = |leaf: &Node, field| names::meaning(&names::plain(&leaf.name), 1, false) == Some(&[field]);
+    let side = |field| leaves.iter().find(|leaf| leaf.numbers().0.len() == 1 && is_size(leaf, field));
+    let image = side(names::Field::ImageWidth).zip(side(names::Field::ImageHeight));
+    let image = image.and_then(|(width, height)| image_size(*width.values().first()?, *height.values().first()?));
+    let total: usize = leaves.iter().map(|leaf| leaf.numbers().0.len()).sum();
+    let of = |name: &str, numbers: Vec<Written>, in_line: Option<usize>, word: Option<Word>| {
+        let used = Used { name: name.to_owned(), value: format!("{} numbers", numbers.len()), meaning: "matrix" };
+        let entries = MatrixEntries::new(numbers, in_line)?;
+        Some(Pasted { word, image, used: vec![used], ..Pasted::new(name, entries) })
+    };
+    if let Some(poses) = of_lines(&leaves) {
+        let cameras = poses.into_iter().enumerate();
+        return Ok(cameras.filter_map(|(k, pose)| of(&(k + 1).to_string(), pose, None, word)).collect());
     }
-    if let Some(cameras) = of_lines(&segments) {
-        return Ok(cameras.into_iter().map(said).collect());
+    if let Some((numbers, in_line)) = whole(&leaves)
+        && let Some(camera) = of("", numbers, in_line, word)
+    {
+        return Ok(vec![camera]);
     }
-    if let Some(camera) = of_parts(&segments) {
-        return Ok(vec![said(camera)]);
-    }
-    let matrices: Vec<Pasted> = segments
-        .into_iter()
-        .filter_map(|s| Some(Pasted::new(&s.name, MatrixEntries::new(s.numbers.clone(), s.in_line())?)))
-        .map(|camera| {
-            let word = words::find(&camera.name).or(word.filter(|word| word.kind != Some(MatrixKind::Intrinsics)));
-            Pasted { word, image, ..camera }
-        })
-        .collect();
+    let counts = leaves.iter().map(|leaf| leaf.numbers().0.len()).filter(|count| matches!(count, 7 | 9 | 12 | 16));
     // The matrix of a projection or a pose says more than K or a rectification beside it.
-    let most = matrices.iter().filter_map(|m| Some(m.entries.as_ref()?.count())).max();
-    let chosen: Vec<Pasted> =
-        matrices.into_iter().filter(|m| m.entries.as_ref().map(MatrixEntries::count) == most).collect();
-    if chosen.is_empty() { Err(MatrixTextError::Count(total)) } else { Ok(chosen) }
+    let most = counts.max();
+    let (chosen, others): (Vec<&Node>, Vec<&Node>) =
+        leaves.iter().partition(|leaf| Some(leaf.numbers().0.len()) == most);
+    let left_out = |leaf: &&Node| {
+        let value = leaf.values().iter().take(16).map(f64::to_string).collect::<Vec<_>>().join(" ");
+        LeftOut { name: leaf.name.clone(), value, why: Why::Unknown }
+    };
+    let cameras = chosen.into_iter().filter_map(|leaf| {
+        let (numbers, lines) = leaf.numbers();
+        let own = words::find(&leaf.name).or(word.filter(|word| word.kind != Some(MatrixKind::Intrinsics)));
+        let camera = of(&leaf.name, numbers, in_line(&lines), own)?;
+        Some(Pasted { left_out: others.iter().map(left_out).collect(), ..camera })
+    });
+    let cameras: Vec<Pasted> = cameras.collect();
+    if !cameras.is_empty() {
+        return Ok(cameras);
+    }
+    Err(MatrixTextError::Count(total))
 }
 
 /// All numbers as one matrix, if their count is that of one and the names don't say that they are several things.
-fn whole(segments: &[Segment]) -> Option<MatrixEntries> {
-    let mut numbers: Vec<Written> = segments.iter().flat_map(|segment| segment.numbers.clone()).collect();
-    let mut lines: Vec<usize> = segments.iter().flat_map(|segment| segment.lines.clone()).collect();
-    let lengths: Vec<usize> = segments.iter().map(|segment| segment.numbers.len()).collect();
+fn whole(leaves: &[Node]) -> Option<(Vec<Written>, Option<usize>)> {
+    let parts: Vec<(Vec<Written>, Vec<usize>)> = leaves.iter().map(Node::numbers).collect();
+    let lengths: Vec<usize> = parts.iter().map(|part| part.0.len()).collect();
+    let mut numbers: Vec<Written> = parts.iter().flat_map(|part| part.0.clone()).collect();
+    let mut lines: Vec<usize> = parts.iter().flat_map(|part| part.1.clone()).collect();
     if let Some(counts) = counts_before(&numbers) {
         // `Float32Array(16)` and `elements: (16)` of consoles of browsers.
         numbers.drain(..counts);
@@ -220,9 +384,8 @@ fn whole(segments: &[Segment]) -> Option<MatrixEntries> {
         numbers.remove(0);
         lines.clear();
     }
-    let joined = Segment { name: String::new(), numbers, lines };
-    let in_line = if lengths == [9, 3] { Some(3) } else { joined.in_line() };
-    MatrixEntries::new(joined.numbers, in_line)
+    let in_line = if lengths == [9, 3] { Some(3) } else { in_line(&lines) };
+    Some((numbers, in_line))
 }
 
 /// The count of numbers before a matrix that say how many it has.
@@ -234,78 +397,18 @@ fn counts_before(numbers: &[Written]) -> Option<usize> {
     })
 }
 
-/// One camera in each line: the trajectories of TUM and KITTI.
-fn of_lines(segments: &[Segment]) -> Option<Vec<Pasted>> {
-    let [Segment { numbers, lines, .. }] = segments else { return None };
-    let in_line = *lines.first()?;
-    if lines.len() < 2 || !matches!(in_line, 8 | 12 | 16) || lines.iter().any(|line| *line != in_line) {
+/// One camera in each line: the trajectories of TUM and KITTI. Two lines of eight numbers are two poses only if each
+/// has a unit quaternion behind its time.
+fn of_lines(leaves: &[Node]) -> Option<Vec<Vec<Written>>> {
+    let [leaf] = leaves else { return None };
+    let (numbers, lines) = leaf.numbers();
+    let in_line = in_line(&lines).filter(|in_line| matches!(in_line, 8 | 12 | 16))?;
+    let is_unit = |q: &[Written]| (q.iter().map(|x| x.value * x.value).sum::<f64>() - 1.0).abs() < 1e-2;
+    let is_pose = |line: &[Written]| in_line != 8 || is_unit(&line[1..5]) || is_unit(&line[4..8]);
+    if numbers.len() == 16 && !numbers.chunks(in_line).all(is_pose) {
         return None;
     }
-    let camera = |(k, line): (usize, &[Written])| {
-        let skipped = usize::from(in_line == 8);
-        Some(Pasted::new(&format!("{}", k + 1), MatrixEntries::new(line[skipped..].to_vec(), None)?))
-    };
-    numbers.chunks(in_line).enumerate().map(camera).collect()
-}
-
-/// K with a pose, under names: R and t, rvec and t, or \[R | t\].
-fn of_parts(segments: &[Segment]) -> Option<Pasted> {
-    let named = |names: &[&str], count: usize| {
-        let is_it = |s: &&Segment| s.numbers.len() == count && names.contains(&s.name.to_lowercase().as_str());
-        segments.iter().find(is_it)
-    };
-    let nine = segments.iter().filter(|segment| segment.numbers.len() == 9);
-    let (intrinsics, rotations): (Vec<&Segment>, Vec<&Segment>) = nine.partition(|s| is_intrinsics(&values(s)));
-    let lens = intrinsics.first().map(|k| GivenLens::of_k(&values(k)));
-    let t = named(&["t", "tvec", "translation", "tvecs", "tr"], 3);
-    let rvec = named(&["rvec", "rvecs", "r"], 3);
-    let r = rotations.first().map(|r| values(r)).or_else(|| rvec.map(|rvec| rotation_of(&values(rvec))));
-    let matrix =
-        segments.iter().find(|s| matches!(s.numbers.len(), 12 | 16) && !s.name.to_lowercase().starts_with('p'));
-    let entries = match (r, t, matrix) {
-        (Some(r), Some(t), _) => of_rotation(&r, &values(t)),
-        (_, _, Some(matrix)) if lens.is_some() => MatrixEntries::new(matrix.numbers.clone(), matrix.in_line())?,
-        _ => return None,
-    };
-    let open = Pasted { lens, ..Pasted::new("", entries) };
-    // K, R and t have the axes of computer vision.
-    let is_vision = lens.is_some() || rvec.is_some();
-    Some(Pasted { word: (is_vision && matrix.is_none()).then_some(VISION), ..open })
-}
-
-/// K, R and t lead from the world to the camera, in the axes of `OpenCV`.
-const VISION: Word = Word::full("K, R, t", MatrixKind::View, Axes::OPENCV, Order::Rows);
-
-/// The pose of a rotation matrix by rows, and t.
-fn of_rotation(r: &[f64], t: &[f64]) -> MatrixEntries {
-    let line = |i: usize| DVec3::from_slice(&r[3 * i..]);
-    MatrixEntries::of_matrix(rigid([line(0), line(1), line(2)], DVec3::from_slice(t)), 1e-6)
-}
-
-/// The rotation matrix of a vector of Rodrigues, by rows.
-fn rotation_of(vector: &[f64]) -> Vec<f64> {
-    let m = DMat3::from_quat(glam::DQuat::from_scaled_axis(DVec3::from_slice(vector)));
-    m.transpose().to_cols_array().to_vec()
-}
-
-fn values(segment: &Segment) -> Vec<f64> {
-    segment.numbers.iter().map(|number| number.value).collect()
-}
-
-/// True if nine numbers have the zeros and the one of K.
-#[expect(clippy::float_cmp, reason = "K has 0 and 1 themselves")]
-fn is_intrinsics(k: &[f64]) -> bool {
-    k[3] == 0.0 && k[6] == 0.0 && k[7] == 0.0 && k[8] == 1.0 && k[0] > 0.0 && k[4] > 0.0 && k[2] != 0.0
-}
-
-/// The size of the image, under the names that programs give it.
-fn named_size(segments: &[Segment]) -> Option<ImageSize> {
-    let side = |names: [&str; 3]| {
-        let segment =
-            segments.iter().find(|s| s.numbers.len() == 1 && names.contains(&s.name.to_lowercase().as_str()))?;
-        Some(segment.numbers[0].value)
-    };
-    image_size(side(["image_width", "width", "w"])?, side(["image_height", "height", "h"])?)
+    Some(numbers.chunks(in_line).map(|line| line[usize::from(in_line == 8)..].to_vec()).collect())
 }
 
 /// The size of an image, if two numbers can be one.
@@ -318,28 +421,4 @@ fn side(value: f64) -> Option<u32> {
     let is_side = value >= 1.0 && value <= f64::from(crate::limits::MAX_SIDE) && value.fract() == 0.0;
     #[expect(clippy::cast_possible_truncation, reason = "it is a whole number in this range")]
     is_side.then_some(value as u32)
-}
-
-/// A pose of K's axes from a quaternion w x y z and t.
-fn of_quaternion([w, x, y, z]: [f64; 4], t: DVec3) -> DMat4 {
-    DMat4::from_rotation_translation(glam::DQuat::from_xyzw(x, y, z, w).normalize(), t)
-}
-
-/// A number of JSON; `null` is the NaN of JavaScript.
-#[cfg(feature = "import")]
-fn number(value: &serde_json::Value) -> Option<f64> {
-    if value.is_null() { Some(f64::NAN) } else { value.as_f64() }
-}
-
-/// A list of numbers, of one level or more.
-#[cfg(feature = "import")]
-fn list(value: &serde_json::Value) -> Option<Vec<f64>> {
-    let mut numbers = Vec::new();
-    for item in value.as_array()? {
-        match item {
-            serde_json::Value::Array(_) => numbers.extend(list(item)?),
-            _ => numbers.push(number(item)?),
-        }
-    }
-    Some(numbers)
 }

@@ -36,7 +36,7 @@ const fn with_axes(word: &'static str, kind: MatrixKind, axes: Axes) -> Word {
 }
 
 /// Without regard to capitals and underscores. A word stands before the shorter ones that it contains.
-const WORDS: [Word; 33] = [
+const WORDS: [Word; 42] = [
     row("worldviewproj", MatrixKind::ViewProjection),
     row("modelviewproj", MatrixKind::ViewProjection),
     row("viewproj", MatrixKind::ViewProjection),
@@ -46,9 +46,19 @@ const WORDS: [Word; 33] = [
     with_axes("cameratoworldmatrix", MatrixKind::CameraToWorld, Axes::UNITY),
     with_axes("localtoworldmatrix", MatrixKind::CameraToWorld, Axes::DIRECT3D),
     with_axes("matrixworld", MatrixKind::CameraToWorld, Axes::OPENGL),
-    with_axes("transformmatrix", MatrixKind::CameraToWorld, Axes::BLENDER),
+    Word::full("transformmatrix", MatrixKind::CameraToWorld, Axes::BLENDER, Order::Rows),
     with_axes("extrinsic", MatrixKind::View, Axes::OPENCV),
     with_axes("worldviewtransform", MatrixKind::View, Axes::OPENCV),
+    // Godot: the order of its numbers depends on how they're written.
+    with_axes("transform3d", MatrixKind::CameraToWorld, Axes::OPENGL),
+    row("toworld", MatrixKind::CameraToWorld),
+    Word::full("tcamimu", MatrixKind::View, Axes::OPENCV, Order::Rows),
+    Word::full("tcambody", MatrixKind::View, Axes::OPENCV, Order::Rows),
+    Word::full("timucam", MatrixKind::CameraToWorld, Axes::OPENCV, Order::Rows),
+    Word::full("tbs", MatrixKind::CameraToWorld, Axes::OPENCV, Order::Rows),
+    row("tcamworld", MatrixKind::View),
+    row("tworldcam", MatrixKind::CameraToWorld),
+    with_axes("cameratransform", MatrixKind::CameraToWorld, Axes::OPENGL),
     row("viewmatrix", MatrixKind::View),
     row("viewmat", MatrixKind::View),
     row("viewtransform", MatrixKind::View),
@@ -72,6 +82,24 @@ const WORDS: [Word; 33] = [
     // Files of glTF and three.js: sixteen numbers by columns, of a node.
     Word { is_weak: true, ..Word::full("\"matrix\":", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Columns) },
 ];
+
+/// Names of matrices that say all of them. A longer path ends in one.
+const NAMES: [Word; 6] = [
+    Word::full("gltf.matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Rows),
+    Word::full("three.js.matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Rows),
+    Word::full("open3d.pose", MatrixKind::CameraToWorld, Axes::OPENCV, Order::Rows),
+    Word::full("metashape.transform", MatrixKind::CameraToWorld, Axes::OPENCV, Order::Rows),
+    Word { is_weak: true, ..row("transform", MatrixKind::CameraToWorld) },
+    Word { is_weak: true, ..Word::full("matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Columns) },
+];
+
+/// The word that a name in plain letters is.
+pub(crate) fn of_name(path: &str) -> Option<Word> {
+    let last = path.rsplit('.').next().unwrap_or(path);
+    let is_end = |row: &&Word| path.strip_suffix(row.word).is_some_and(|rest| rest.is_empty() || rest.ends_with('.'));
+    let contained = || WORDS.iter().find(|row| last.contains(row.word));
+    NAMES.iter().find(is_end).or_else(contained).copied()
+}
 
 /// The word of a text that says which matrix it is.
 pub(crate) fn find(text: &str) -> Option<Word> {

@@ -1,0 +1,437 @@
+//! The entries of one camera → its pose and its lens, and what becomes of each entry.
+
+use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot};
+
+use super::names::Field;
+use super::words::Word;
+use super::{GivenLens, MatrixTextError, Pasted, Size, image_size};
+use crate::camera::recovery::entries::{MatrixEntries, Written, rigid};
+use crate::camera::recovery::{Axes, MatrixKind, Order, Toward};
+use Field as F;
+
+/// An entry of a file: a name with its numbers or its word.
+#[derive(Clone, Debug)]
+pub(crate) struct Entry {
+    /// With the names around it.
+    pub(crate) name: String,
+    /// The number behind a name, such as 02 of `K_02`.
+    pub(crate) index: String,
+    pub(crate) fields: &'static [Field],
+    pub(crate) numbers: Vec<Written>,
+    pub(crate) lines: Vec<usize>,
+    pub(crate) text: String,
+    /// What a matrix is by its name.
+    pub(crate) word: Option<Word>,
+    /// It stands outside of the camera's own part of the file.
+    pub(crate) is_inherited: bool,
+}
+
+impl Entry {
+    pub(crate) fn has(&self, is: impl Fn(Field) -> bool) -> bool {
+        self.fields.iter().any(|field| is(*field))
+    }
+
+    /// True, unless a word or 0 says no.
+    fn is_on(&self) -> bool {
+        let is_off = ["false", "off", "no", "0"].contains(&self.text.to_lowercase().as_str());
+        self.numbers.first().map_or(!is_off, |number| number.value > 0.5)
+    }
+
+    pub(crate) fn value(&self) -> String {
+        if self.numbers.is_empty() {
+            return self.text.clone();
+        }
+        let numbers = self.numbers.iter().take(16).map(|number| number.value.to_string());
+        let more = if self.numbers.len() > 16 { " …" } else { "" };
+        numbers.collect::<Vec<_>>().join(" ") + more
+    }
+}
+
+/// The conventions of the program that a text names.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sign {
+    /// All of these stand in the text, without capitals.
+    words: &'static [&'static str],
+    pub(crate) axes: Option<Axes>,
+    /// The side that a bare angle spans.
+    pub(crate) side: Side,
+    pub(crate) is_radians: Option<bool>,
+    pub(crate) order: Option<Order>,
+    pub(crate) units: f64,
+    /// The target is not needed to know C.
+    pub(crate) is_parallel: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Side {
+    Up,
+    Across,
+    Smaller,
+}
+
+const fn sign(words: &'static [&'static str], axes: Axes) -> Sign {
+    Sign { words, axes: Some(axes), ..NONE }
+}
+
+const NONE: Sign =
+    Sign { words: &[], axes: None, side: Side::Up, is_radians: None, order: None, units: 1.0, is_parallel: false };
+
+/// The likelier first.
+const SIGNS: [Sign; 27] = [
+    Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["fvector("], Axes::UNREAL) },
+    Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["ucameracomponent"], Axes::UNREAL) },
+    Sign { is_radians: Some(true), ..sign(&["babylon"], Axes::DIRECT3D) },
+    sign(&["lookrotation("], Axes::DIRECT3D),
+    sign(&["nearclipplane"], Axes::DIRECT3D),
+    Sign {
+        order: Some(Order::Columns),
+        is_parallel: true,
+        ..sign(&["pytorch3d", "orthographiccameras("], Axes::PYTORCH3D)
+    },
+    Sign { order: Some(Order::Columns), ..sign(&["pytorch3d"], Axes::PYTORCH3D) },
+    sign(&["bpy"], Axes::BLENDER),
+    sign(&["matrix_world"], Axes::BLENDER),
+    sign(&["rotation_euler"], Axes::BLENDER),
+    Sign { is_radians: Some(false), ..sign(&["transform3d"], Axes::OPENGL) },
+    Sign { is_radians: Some(true), ..sign(&["::from_xyz"], Axes::OPENGL) },
+    Sign { is_radians: Some(true), side: Side::Smaller, ..sign(&["viewpoint"], Axes::OPENGL) },
+    Sign { is_radians: Some(false), side: Side::Across, ..sign(&["look_at", "location"], Axes::DIRECT3D) },
+    Sign { is_radians: Some(false), side: Side::Smaller, ..sign(&["lookat", "camera \""], Axes::DIRECT3D) },
+    Sign { is_radians: Some(false), side: Side::Across, ..sign(&["<sensor", "to_world"], Axes::PYTORCH3D) },
+    Sign { is_radians: Some(false), side: Side::Across, ..sign(&["<scene", "<lookat"], Axes::PYTORCH3D) },
+    Sign { order: Some(Order::Columns), ..sign(&["#usda"], Axes::OPENGL) },
+    Sign { is_radians: Some(false), ..sign(&["<node"], Axes::OPENGL) },
+    Sign { is_radians: Some(false), ..sign(&["glulookat"], Axes::OPENGL) },
+    Sign { is_radians: Some(true), ..sign(&["glm::"], Axes::OPENGL) },
+    Sign { is_radians: Some(true), ..sign(&["glam::"], Axes::OPENGL) },
+    Sign { is_radians: Some(false), ..sign(&["three."], Axes::OPENGL) },
+    Sign { is_radians: Some(true), ..sign(&["\"asset\""], Axes::OPENGL) },
+    Sign { is_parallel: true, ..sign(&["[2 / (r - l)"], Axes::OPENGL) },
+    sign(&["viewnormal"], Axes::OPENGL),
+    sign(&["<vcgcamera"], Axes::OPENGL),
+];
+
+/// The conventions of a text.
+pub(crate) fn sign_of(text: &str) -> Sign {
+    let text = text.to_lowercase();
+    SIGNS.into_iter().find(|sign| sign.words.iter().all(|word| text.contains(word))).unwrap_or(NONE)
+}
+
+/// What the entries of one camera say.
+pub(crate) struct Said<'a> {
+    pub(crate) entries: &'a [Entry],
+    /// The first entry of each meaning, with its numbers.
+    first: Vec<(Field, usize, &'a [Written])>,
+    pub(crate) taken: Vec<(Field, usize)>,
+    pub(crate) repeated: Vec<usize>,
+    pub(crate) sign: Sign,
+}
+
+impl<'a> Said<'a> {
+    fn new(entries: &'a [Entry], sign: Sign) -> Self {
+        let (mut first, mut repeated): (Vec<(Field, usize, &[Written])>, _) = (Vec::new(), Vec::new());
+        for (at, entry) in entries.iter().enumerate() {
+            let mut rest = entry.numbers.as_slice();
+            for field in entry.fields {
+                let count = if let [_] = entry.fields { rest.len() } else { field.count().unwrap_or(0) };
+                let (own, after) = rest.split_at(count.min(rest.len()));
+                rest = after;
+                let is_many = matches!(field, F::Coefficient | F::Skip | F::Unknown | F::Part | F::Binning | F::Model);
+                if !is_many && first.iter().any(|(other, ..)| other == field) {
+                    repeated.push(at);
+                } else {
+                    first.push((*field, at, own));
+                }
+            }
+        }
+        Self { entries, first, taken: Vec::new(), repeated, sign }
+    }
+
+    pub(crate) fn has(&self, field: Field) -> bool {
+        self.first.iter().any(|(own, ..)| *own == field)
+    }
+
+    fn written(&mut self, field: Field) -> Option<(usize, &'a [Written])> {
+        let (_, at, numbers) = *self.first.iter().find(|(own, ..)| *own == field)?;
+        self.taken.push((field, at));
+        Some((at, numbers))
+    }
+
+    pub(crate) fn list(&mut self, field: Field) -> Option<Vec<f64>> {
+        Some(self.written(field)?.1.iter().map(|number| number.value).collect())
+    }
+
+    pub(crate) fn number(&mut self, field: Field) -> Option<f64> {
+        self.list(field)?.first().copied()
+    }
+
+    fn vector(&mut self, field: Field) -> Option<DVec3> {
+        self.list(field).filter(|list| list.len() >= 3).map(|list| DVec3::from_slice(&list))
+    }
+
+    /// A switch, or a word that is one.
+    pub(crate) fn is_on(&mut self, field: Field) -> Option<bool> {
+        let (at, _) = self.written(field)?;
+        let entry = &self.entries[at];
+        Some(if let [_] = entry.fields { entry.is_on() } else { true })
+    }
+
+    pub(crate) fn words(&self) -> String {
+        let models = self.entries.iter().filter(|entry| entry.fields.contains(&F::Model));
+        models.map(|entry| entry.text.to_lowercase() + " ").collect()
+    }
+
+    /// The name of the entry of a field.
+    pub(crate) fn name(&self, field: Field) -> String {
+        let place = self.first.iter().find(|(own, ..)| *own == field);
+        place.map(|(_, at, _)| self.entries[*at].name.clone()).unwrap_or_default()
+    }
+}
+
+/// A pose: its numbers, and what the text states of their reading.
+type Pose = (MatrixEntries, Word);
+
+const fn word(word: &'static str, kind: MatrixKind, axes: Option<Axes>, order: Option<Order>) -> Word {
+    Word { word, kind: Some(kind), axes, order, is_weak: false }
+}
+
+impl Said<'_> {
+    /// The pose, if there is a whole one. `is_vision`: a lens in pixels stands beside it.
+    fn pose(&mut self, is_vision: bool) -> Option<Pose> {
+        let axes = self.sign.axes;
+        // COLMAP names its quaternion.
+        let vision = axes.or((is_vision || self.has(F::Wxyz)).then_some(Axes::OPENCV));
+        let exact = |m: DMat4| MatrixEntries::of_matrix(m, 1e-6);
+        let view = |m: DMat4, axes| Some((exact(m), word("R, t", MatrixKind::View, axes, Some(Order::Rows))));
+        let inverse =
+            |m: DMat4, axes, name| Some((exact(m), word(name, MatrixKind::CameraToWorld, axes, Some(Order::Rows))));
+        if let Some((_, numbers)) = self.written(F::Pinhole) {
+            let said = Word::full("P", MatrixKind::Pinhole, Axes::OPENCV, Order::Rows);
+            return Some((MatrixEntries::new(numbers.to_vec(), Some(4))?, said));
+        }
+        if let Some((at, numbers)) = self.written(F::Matrix) {
+            let entry = &self.entries[at];
+            let entries = MatrixEntries::new(numbers.to_vec(), in_line(&entry.lines))?;
+            let mut said = entry.word?;
+            said.axes = said.axes.or(axes);
+            said.order = said.order.or(self.sign.order);
+            if said.word == "transform3d" {
+                // Godot prints rows, and its constructor takes columns.
+                let is_flat = in_line(&entry.lines).is_none();
+                said.order = Some(if is_flat { Order::RotationThenTranslation } else { Order::Columns });
+            }
+            return Some((entries, said));
+        }
+        if let (true, Some(minus)) = (self.has(F::R4), self.vector(F::MinusEye)) {
+            let r = self.list(F::R4)?;
+            return view(matrix_of(&r, 4) * DMat4::from_translation(minus), Some(Axes::OPENGL));
+        }
+        let eye = if self.has(F::Eye) { F::Eye } else { F::T };
+        let is_center = self.has(F::Center) && !self.has(F::Eye);
+        let target = if self.has(F::Target) { F::Target } else { F::Center };
+        let up = |said: &mut Self| {
+            let is_z = axes.is_some_and(|axes| axes.up == crate::camera::WorldUp::Z);
+            said.vector(F::Up).unwrap_or(if is_z { DVec3::Z } else { DVec3::Y })
+        };
+        let units = self.sign.units;
+        if self.has(F::Eye) && self.has(target) {
+            let (_, c) = self.written(F::Eye)?;
+            let (_, pf) = self.written(target)?;
+            let vup = up(self).to_array().map(|value| Written { value, error: 0.0 });
+            let nine = c.iter().chain(pf).map(|n| Written { value: n.value * units, ..*n }).chain(vup);
+            let said = word("PF", MatrixKind::LookAt, axes, Some(Order::Rows));
+            return Some((MatrixEntries::new(nine.collect(), Some(3))?, said));
+        }
+        if let Some(focus) = self.vector(target).filter(|_| !is_center || self.has(F::Backward)) {
+            let n = self.vector(F::Backward).or_else(|| self.vector(F::Front))?.normalize();
+            let c = focus + n * self.distance()?;
+            let nine: Vec<_> = [c, focus, up(self)].iter().flat_map(|v| v.to_array()).collect();
+            let nine = nine.into_iter().map(|value| Written { value, error: 1e-9 * value.abs().max(1.0) }).collect();
+            return Some((MatrixEntries::new(nine, Some(3))?, word("focus", MatrixKind::LookAt, axes, None)));
+        }
+        if self.name(F::Eye).to_lowercase().ends_with("cameraposition") {
+            // A trace of ParaView leaves out what is as usual.
+            let c = self.vector(F::Eye)?;
+            let nine = [c, DVec3::ZERO, up(self)].iter().flat_map(|v| v.to_array()).collect::<Vec<_>>();
+            let nine = nine.into_iter().map(|value| Written { value, error: 0.0 }).collect();
+            let said = word("CameraPosition", MatrixKind::LookAt, Some(Axes::OPENGL), Some(Order::Rows));
+            return Some((MatrixEntries::new(nine, Some(3))?, said));
+        }
+        let ahead = [F::Forward, F::Front, F::Backward].into_iter().find(|field| self.has(*field));
+        if let (Some(field), true) = (ahead, self.has(F::Eye)) {
+            let c = self.vector(F::Eye)? * units;
+            let ahead = self.vector(field)?.normalize() * if field == F::Backward { -1.0 } else { 1.0 };
+            let own = axes.unwrap_or(Axes::OPENGL);
+            let up = up(self);
+            let right = if own.left_handed { up.cross(ahead) } else { ahead.cross(up) }.normalize();
+            let up = if own.left_handed { ahead.cross(right) } else { right.cross(ahead) };
+            let [x, y, z] = own.camera.map(|toward| match toward {
+                Toward::Right => right,
+                Toward::Left => -right,
+                Toward::Up => up,
+                Toward::Down => -up,
+                Toward::Viewer => -ahead,
+                Toward::Scene => ahead,
+            });
+            let m = DMat4::from_cols(x.extend(0.0), y.extend(0.0), z.extend(0.0), c.extend(1.0));
+            return inverse(m, Some(own), "DOP");
+        }
+        let rotation = self.rotation(is_vision)?;
+        if self.has(F::Eye) || is_center {
+            let c = self.vector(if is_center { F::Center } else { F::Eye })?;
+            return match rotation {
+                Turn::Matrix(r) if is_center => view(rigid(rows_of(r), -(r * c)), vision),
+                Turn::Matrix(r) => inverse(rigid(rows_of(r), c), vision, "position"),
+                Turn::Quaternion(q, order) => {
+                    let axes = axes.or(self.has(F::Fx).then_some(Axes::OPENCV));
+                    seven([c.to_array().to_vec(), q], order, word("position", MatrixKind::CameraToWorld, axes, None))
+                }
+            };
+        }
+        let t = self.vector(F::T)?;
+        match rotation {
+            Turn::Matrix(r) => view(rigid(rows_of(r), t), vision),
+            // A node of glTF.
+            Turn::Quaternion(q, Some(false)) if self.has(F::Xyzw) || !is_vision => {
+                let said = word("rotation", MatrixKind::CameraToWorld, Some(Axes::OPENGL), None);
+                seven([self.vector(eye)?.to_array().to_vec(), q], Some(false), said)
+            }
+            Turn::Quaternion(q, order) => {
+                let m = |w: usize| DQuat::from_xyzw(q[(w + 1) % 4], q[(w + 2) % 4], q[(w + 3) % 4], q[w]).normalize();
+                let q = if order == Some(false) { m(3) } else { m(0) };
+                view(DMat4::from_rotation_translation(q, t), vision)
+            }
+        }
+    }
+
+    /// From the target to the camera, as `VisIt` and `Open3D` keep it.
+    fn distance(&mut self) -> Option<f64> {
+        let tangent = |said: &mut Self, field| Some((said.number(field)?.to_radians() / 2.0).tan());
+        if let Some([low, high]) = self.vector(F::BoundsMin).zip(self.vector(F::BoundsMax)).map(|(a, b)| [a, b]) {
+            let zoom = self.number(F::Zoom)?;
+            return Some(zoom * (high - low).max_element() / tangent(self, F::Fov)?);
+        }
+        Some(self.number(F::HalfHeight)? / tangent(self, F::AngleY)?)
+    }
+
+    fn rotation(&mut self, is_vision: bool) -> Option<Turn> {
+        let matrix = |m: DMat3| Some(Turn::Matrix(m));
+        if let Some(r) = self.list(F::R) {
+            let m = DMat3::from_mat4(matrix_of(&r, 3));
+            return matrix(if self.sign.order == Some(Order::Columns) { m.transpose() } else { m });
+        }
+        let is_vector = self.has(F::Rvec) || self.has(F::Rotation3) && is_vision;
+        if is_vector {
+            let field = if self.has(F::Rvec) { F::Rvec } else { F::Rotation3 };
+            return matrix(DMat3::from_quat(DQuat::from_scaled_axis(self.vector(field)?)));
+        }
+        if let Some(a) = self.list(F::AxisAngle) {
+            return matrix(DMat3::from_axis_angle(DVec3::from_slice(&a).try_normalize()?, a[3]));
+        }
+        if let Some(a) = self.vector(F::Euler) {
+            return matrix(DMat3::from_euler(EulerRot::ZYX, a.z, a.y, a.x));
+        }
+        let orders = [(F::Wxyz, Some(true)), (F::Xyzw, Some(false)), (F::Quaternion, None)];
+        orders.into_iter().find_map(|(field, order)| Some(Turn::Quaternion(self.list(field)?, order)))
+    }
+}
+
+/// A rotation: a matrix, or a quaternion of which w stands first, last, or either.
+enum Turn {
+    Matrix(DMat3),
+    Quaternion(Vec<f64>, Option<bool>),
+}
+
+/// t and a quaternion.
+fn seven(parts: [Vec<f64>; 2], is_w_first: Option<bool>, said: Word) -> Option<Pose> {
+    let order = is_w_first.map(|first| if first { Order::TThenWxyz } else { Order::TThenXyzw });
+    let numbers = parts.concat().into_iter().map(|value| Written { value, error: 1e-6 }).collect();
+    Some((MatrixEntries::new(numbers, None)?, Word { order, ..said }))
+}
+
+/// A matrix of rows of so many numbers.
+pub(crate) fn matrix_of(numbers: &[f64], columns: usize) -> DMat4 {
+    let mut m = DMat4::IDENTITY;
+    numbers.iter().enumerate().for_each(|(k, x)| m.col_mut(k % columns)[k / columns] = *x);
+    m
+}
+
+fn rows_of(r: DMat3) -> [DVec3; 3] {
+    [0, 1, 2].map(|i| r.row(i))
+}
+
+/// The count of numbers in each line, if it's the same in several.
+pub(crate) fn in_line(lines: &[usize]) -> Option<usize> {
+    let first = *lines.first()?;
+    (lines.len() > 1 && first > 1 && lines.iter().all(|line| *line == first)).then_some(first)
+}
+
+/// The camera of some entries.
+pub(crate) fn assemble(name: &str, entries: &[Entry], sign: Sign) -> Pasted {
+    let mut said = Said::new(entries, sign);
+    let mut pasted = Pasted { name: name.to_owned(), ..Pasted::default() };
+    let mut image = said.number(F::ImageWidth).zip(said.number(F::ImageHeight)).map(|(m, n)| [m, n]);
+    match said.lens(&mut image) {
+        Ok(lens) => pasted.lens = lens,
+        Err(error) => pasted.refused = Some(error.into()),
+    }
+    pasted.image = image.and_then(|[m, n]| image_size(m, n));
+    let is_vision = matches!(pasted.lens, Some(GivenLens { size: Size::Pixels { .. }, .. })) || said.has(F::Rvec);
+    let has_matrix = said.has(F::Pinhole);
+    pasted.is_scaled = said.number(F::Scale).is_some();
+    if let Some((entries, word)) = said.pose(is_vision) {
+        (pasted.entries, pasted.word) = (Some(entries), Some(word));
+    }
+    if has_matrix {
+        // K, its distortion and R are those before rectification.
+        pasted.lens = None;
+    }
+    if let (Some(d), Some(lens)) = (pasted.entries.as_ref().and_then(|_| distance_of(&pasted)), &mut pasted.lens) {
+        lens.near = lens.near.or(said.number(F::NearOfTarget).map(|near| d + near).filter(|near| *near > 0.0));
+        lens.far = lens.far.or(said.number(F::FarOfTarget).map(|far| d + far));
+    }
+    // POV-Ray: a parallel window is as large as that of the angle at the target.
+    if let Some(lens) = pasted.lens.filter(|lens| lens.is_parallel) {
+        let d = pasted.entries.as_ref().and_then(|_| distance_of(&pasted));
+        let slope = |angle: f64| 2.0 * (angle.to_radians() / 2.0).tan();
+        let size = match (lens.size, d) {
+            (Size::AngleY(angle), Some(d)) => Size::Height(d * slope(angle)),
+            (Size::SlopeX(slope), Some(d)) => Size::Width(d * slope),
+            (Size::AngleY(_) | Size::SlopeX(_) | Size::SlopeSmaller(_) | Size::SlopeLarger(_), _) => Size::Open,
+            (size, _) => size,
+        };
+        pasted.lens = Some(GivenLens { size, ..lens });
+    }
+    pasted.is_chained = said.has(F::Chain);
+    if let (None, Some(chain)) = (&pasted.entries, said.list(F::Chain)) {
+        let m = matrix_of(&chain, 4);
+        let view = word("T_cn_cnm1", MatrixKind::View, Some(Axes::OPENCV), Some(Order::Rows));
+        (pasted.entries, pasted.word) = (Some(MatrixEntries::of_matrix(m, 0.0)), Some(view));
+    }
+    // R alone may be that of a rectification, if it turns nothing.
+    let is_identity = |said: &Said<'_>| {
+        said.first.iter().all(|(field, _, numbers)| {
+            let is_one = |(k, x): (usize, &Written)| (x.value - f64::from(u8::from(k % 4 == 0))).abs() < 1e-9;
+            let is_r = *field == F::R && said.name(F::R).to_lowercase().ends_with('r');
+            !field.is_pose() || *field == F::Up || is_r && numbers.iter().enumerate().all(is_one)
+        })
+    };
+    let is_half = pasted.entries.is_none() && !is_identity(&said);
+    if (is_half || pasted.entries.is_none() && pasted.lens.is_none()) && pasted.refused.is_none() {
+        let is_part = |entry: &&Entry| entry.has(|field| field.is_pose() || field.is_lens() && !is_half);
+        let mut names: Vec<&str> = entries.iter().filter(is_part).map(|entry| entry.name.as_str()).collect();
+        if names.is_empty() {
+            names.extend(entries.iter().take(3).map(|entry| entry.name.as_str()));
+        }
+        pasted.refused = Some(MatrixTextError::Incomplete(names.join(", ")).into());
+    }
+    super::account::account(&mut pasted, &said, has_matrix);
+    pasted
+}
+
+/// D of a look-at.
+fn distance_of(pasted: &Pasted) -> Option<f64> {
+    let entries = pasted.entries.as_ref().filter(|entries| entries.count() == 9)?;
+    let m = entries.matrix(false);
+    Some((m.row(0) - m.row(1)).truncate().length())
+}
