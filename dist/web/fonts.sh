@@ -9,11 +9,13 @@ window=assets/fonts
 pictures=crates/engine/fonts
 
 # Latin and Greek letters, signs, arrows, mathematics, and the symbols on buttons.
-letters=U+0020-017F,U+0259,U+02B0-036F,U+0370-03FF,U+2000-215F,U+2190-230F,U+2318,U+23CE
-letters+=,U+1D2C-1D6A,U+2500,U+2502,U+250C,U+2510,U+2514,U+2518,U+2580-25FF,U+2600-2606,U+2610-2612,U+2630,U+270E,U+2713-2718,U+26A0,U+27E8-27E9,U+2B12-2B1B,U+FFFD
-# In code and in columns of numbers.
-columns=U+0020-017F,U+02C6-02DD,U+0300-0304,U+0307-0308,U+0370-03CF,U+2010-2027,U+2030-203A,U+2070-209F,U+2190-2199,U+2200-2265
-columns+=,U+2308-230B,U+25A0-25FF,U+2713-2718,U+FFFD
+letters=U+0020-017F,U+0259,U+02B0-02DD,U+0300-030C,U+0327-0328,U+0370-03FF,U+2000-209F,U+20AC,U+2100-215F,U+2190-22FF,U+2308-230B,U+2318,U+23CE
+letters+=,U+1D40,U+1D43-1D49,U+1D4F-1D50,U+1D52,U+1D56-1D58,U+1D5B,U+2500,U+2502,U+250C,U+2510,U+2514,U+2518,U+2588,U+2591-2593
+letters+=,U+25A0-25FF,U+2600-2606,U+2610-2612,U+2630,U+270E,U+2713-2718,U+26A0,U+27E8-27E9,U+2B12-2B1B,U+FFFD
+# In code and in columns of numbers. The window takes other characters from the font above.
+columns=U+0020-017F,U+0391-03C9,U+2010-2027,U+2070-209F,U+2190-2195,U+2212,U+221A,U+221E,U+2248,U+2260-2265,U+25B2-25C6,U+2713-2718,U+FFFD
+# In titles.
+titles=U+0020-00FF,U+0391-03C9,U+2010-2026,U+2080-2089,U+2190-2193,U+2212,U+2260-2265,U+221A
 
 subset() {
     mkdir -p "$1/page"
@@ -27,5 +29,5 @@ pyftsubset /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --output-file="$
 
 subset "$pictures" DejaVuSans "$letters"
 subset "$window" DejaVuSansMono "$columns"
-subset "$window" DejaVuSans-Bold "$heads"
+subset "$window" DejaVuSans-Bold "$titles"
 ls -l "$pictures/page" "$window/page"
