@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::{Failure, json_of, open, print, text_to_print};
-use crate::camera::{Doubt, PhotographCamera, camera_of_photograph};
+use crate::camera::{Doubt, PhotographCamera, camera_of_photograph, condition_of_photograph};
 use crate::cli::args::figure::size;
 use crate::cli::args::photograph::PhotographArgs;
 use crate::cli::args::words::{TableFormat, written};
@@ -24,6 +24,7 @@ struct Answer {
     view_angle_per_pixel: Option<f64>,
     direction_per_pixel: f64,
     middle: [f64; 2],
+    condition: Option<f64>,
     untold: Vec<Notice>,
     notices: Vec<Notice>,
 }
@@ -52,15 +53,18 @@ pub(super) fn run(args: &PhotographArgs, lang: Lang) -> Result<(), Failure> {
         .map_err(|error| refused(texts::error(lang, &error)))?;
     (figure.camera, figure.image) = (found.parameters, image);
     let written = written(args.common.lang);
+    let condition = condition_of_photograph(&marks, image, camera.parameters());
     let text = match args.format {
-        TableFormat::Json => json_of(&Answer::new(&found, [image.width, image.height], written))?,
-        TableFormat::Text => comments(&found, written) + &text_to_print((&args.figure, &opened), &figure, lang)?,
+        TableFormat::Json => json_of(&Answer::new(&found, condition, [image.width, image.height], written))?,
+        TableFormat::Text => {
+            comments(&found, condition, written) + &text_to_print((&args.figure, &opened), &figure, lang)?
+        }
     };
     print(text.as_bytes(), lang)
 }
 
 impl Answer {
-    fn new(found: &PhotographCamera, image: [u32; 2], lang: Lang) -> Self {
+    fn new(found: &PhotographCamera, condition: Option<f64>, image: [u32; 2], lang: Lang) -> Self {
         Self {
             camera: CameraReport::new(&found.parameters),
             image,
@@ -78,6 +82,7 @@ impl Answer {
             view_angle_per_pixel: found.view_angle_per_pixel,
             direction_per_pixel: found.direction_per_pixel,
             middle: found.middle.to_array(),
+            condition,
             untold: (found.untold.iter())
                 .map(|untold| Notice { code: untold.code(), message: texts::untold(lang, *untold).to_owned() })
                 .collect(),
@@ -89,9 +94,9 @@ impl Answer {
 }
 
 /// The arithmetic and the values that stay open, as comments of a figure file.
-fn comments(found: &PhotographCamera, lang: Lang) -> String {
+fn comments(found: &PhotographCamera, condition: Option<f64>, lang: Lang) -> String {
     let mut text = String::new();
-    for line in texts::steps(lang, found) {
+    for line in texts::steps(lang, found).into_iter().chain([texts::condition(lang, condition)]) {
         // Writing to a String can't fail.
         let _ = writeln!(text, "# {line}");
     }

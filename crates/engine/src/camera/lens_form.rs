@@ -124,6 +124,15 @@ impl Camera {
         })
     }
 
+    /// `f_x`, `f_y`, `c_x` and `c_y` of K in pixels, from the top left corner as in (5.22). In parallel projection
+    /// `f_x` and `f_y` are the pixels of a unit of length.
+    pub fn intrinsics(&self, image: ImageSize) -> [f64; 4] {
+        let [m, n] = [image.width, image.height].map(f64::from);
+        let (window, width, height) = (self.window(), self.window_width(), self.window_height());
+        let near = if self.projection() == Projection::Perspective { self.near() } else { 1.0 };
+        [near / width * m, near / height * n, -window.left / width * m, window.top / height * n]
+    }
+
     /// The focal length in millimetres with a sensor: F / S = f / s for the side that spans the image.
     pub fn focal_length(&self, sensor: Sensor) -> f64 {
         let (side, spanned) = self.spanned(sensor);

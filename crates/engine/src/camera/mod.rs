@@ -65,7 +65,7 @@ pub use parameters::{
 };
 pub use photograph::{
     AxisVanishing, Doubt, PhotographCamera, PhotographError, PhotographLine, PhotographMarks, Untold, WorldAxis,
-    camera_of_photograph,
+    camera_of_photograph, condition_of_photograph,
 };
 pub use place::Place;
 pub use recovery::{

@@ -5,7 +5,6 @@ use serde::Serialize;
 
 use super::{three, unsigned};
 use crate::camera::{Axes, Camera, ImageSize, Projection};
-use crate::explain::code::pixels;
 
 /// The figure's camera (*here*) and one of its `[[cameras]]` (*there*). Pixels are from the top left corner, y down.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -51,7 +50,7 @@ struct Eye<'a> {
 
 impl<'a> Eye<'a> {
     fn new(camera: &'a Camera, image: ImageSize) -> Self {
-        let [f_x, f_y, x, y] = pixels(camera, image);
+        let [f_x, f_y, x, y] = camera.intrinsics(image);
         let columns = [DVec3::X * f_x, DVec3::Y * f_y, DVec3::new(x, y, 1.0)];
         let turn = DMat3::from_mat4(Axes::OPENCV.view_from_world(camera));
         Self { camera, turn, pixel_from_view: DMat3::from_cols_array_2d(&columns.map(|column| column.to_array())) }

@@ -115,6 +115,17 @@ pub fn steps(lang: Lang, found: &PhotographCamera) -> Vec<String> {
     steps
 }
 
+/// The digits that the question itself loses.
+pub fn condition(lang: Lang, condition: Option<f64>) -> String {
+    match condition {
+        Some(number) => {
+            let (times, lost) = (lang.mark().number(number, 3), lang.mark().number(number.max(1.0).log10(), 2));
+            text!(lang, condition, times, lost)
+        }
+        None => text!(lang, condition_infinite).to_owned(),
+    }
+}
+
 /// The horizon, and the roll of the camera that it shows.
 fn horizon(lang: Lang, found: &PhotographCamera) -> String {
     let roll = lang.mark().number(found.roll(), 3);

@@ -16,8 +16,12 @@ mod lines;
 use glam::{DMat3, DVec2, DVec3};
 
 use super::{Camera, CameraError, ImageSize, Parameters, Projection, ViewWindow};
+use crate::chain::greatest_singular;
 use lines::{CONTRADICTS, Focal, Located, Pair, SURE, direction, doubt, middle, rotation, vanishing};
 pub use lines::{PhotographLine, WorldAxis};
+
+/// A relative step for differences: neither the third derivatives nor the digits of `f64` are seen in them.
+const STEP: f64 = 1e-5;
 
 /// The lines and points of a photograph that say where its camera was.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -241,6 +245,42 @@ pub fn camera_of_photograph(
     })
 }
 
+/// The condition of the question which camera took a photograph: how many times a small relative change of the marks can
+/// grow in C, PF, VUP and θ, both measured by their 2-norms. `None` if it isn't finite.
+///
+/// *Textbook*: the Jacobian by formulas, as [`Condition`](crate::chain::Condition) has it. *Here*: by central
+/// differences, because an eigenvector has no short formula, and they're right to nine digits.
+pub fn condition_of_photograph(marks: &PhotographMarks, image: ImageSize, given: &Parameters) -> Option<f64> {
+    fn numbers(marks: &mut PhotographMarks) -> Vec<&mut f64> {
+        let ends = marks.lines.iter_mut().flat_map(|line| &mut line.ends).chain(&mut marks.origin);
+        let mut numbers: Vec<&mut f64> = ends.flat_map(|end| [&mut end.x, &mut end.y]).collect();
+        if let Some((_, pixel, length)) = &mut marks.length {
+            numbers.extend([&mut pixel.x, &mut pixel.y, length]);
+        }
+        numbers
+    }
+    let result = |marks: &PhotographMarks| -> Option<[f64; 10]> {
+        let Parameters { position: c, focal_point: pf, view_up: up, view_angle, .. } =
+            camera_of_photograph(marks, image, given).ok()?.parameters;
+        Some([c.x, c.y, c.z, pf.x, pf.y, pf.z, up.x, up.y, up.z, view_angle])
+    };
+    let size = result(marks)?.into_iter().fold(0.0, f64::hypot);
+    let mut marks = marks.clone();
+    let mut columns = Vec::new();
+    for k in 0..numbers(&mut marks).len() {
+        let moved = |step: f64| {
+            let mut moved = marks.clone();
+            let number = numbers(&mut moved).into_iter().nth(k)?;
+            let (x, step) = (*number, step * number.abs().max(1.0));
+            *number += step;
+            Some((x / (2.0 * step), result(&moved)?))
+        };
+        let ((scale, after), (_, before)) = (moved(STEP)?, moved(-STEP)?);
+        columns.push(std::array::from_fn(|row| scale * (after[row] - before[row]) / size));
+    }
+    Some(greatest_singular::<10>(&columns).0).filter(|number| number.is_finite())
+}
+
 /// F and B of a parallel camera may be 0 or less. A perspective takes the usual ones then. A window has a θ, too.
 fn in_perspective(given: &Parameters) -> Parameters {
     let Parameters { near, far, .. } = if given.near > 0.0 { *given } else { Parameters::default() };
@@ -348,7 +388,7 @@ fn middle_of(located: &[Located], frame: &PixelFrame) -> Option<(DVec2, f64)> {
     Some((found, squares.element_sum().sqrt())).filter(|(_, error)| error.is_finite())
 }
 
-/// The squares of the changes that one pixel in each coordinate of each end makes in a function of the vanishing points.
+/// The squares of the changes that one pixel in each coordinate of each end makes in a function of vanishing points.
 fn squares(located: &[Located], frame: &PixelFrame, of: impl Fn(&[DVec3]) -> DVec3) -> DVec3 {
     let points: Vec<DVec3> = located.iter().map(|located| located.point).collect();
     let of_one = |(at, located): (usize, &Located)| {
@@ -373,8 +413,8 @@ fn turned(solved: &Solved, points: &[DVec3], senses: &[f64], focal_length: f64) 
     rotation(&weighted.collect::<Vec<_>>())
 }
 
-/// R, C, and the senses of the axes: those in which most lines were drawn, if they are right-handed and the length is in
-/// front of the camera. If not, the senses that turn the fewest lines and let the camera stand upright.
+/// R, C, and the senses of the axes: those in which most lines were drawn, if they are right-handed and the length is
+/// in front of the camera. If not, the senses that turn the fewest lines and let the camera stand upright.
 fn oriented(
     marks: &PhotographMarks,
     frame: &PixelFrame,
@@ -444,7 +484,8 @@ fn doubts(solved: Solved, frame: &PixelFrame, senses: &[f64], axes: DMat3) -> Ve
     let turned = solved.located.iter().zip(senses).filter(is_turned).map(|(of, _)| Doubt::Turned(of.axis));
     let one_line = solved.one_line.iter().copied().map(Doubt::OneLine);
     let mut doubts: Vec<Doubt> = one_line.chain(angles.into_iter().map(angle)).chain(turned).collect();
-    doubts.extend((axes.col(1).y < 0.0).then_some(Doubt::UpsideDown));
+    let y = axes.col(1);
+    doubts.extend((y.y < -y.x.abs()).then_some(Doubt::UpsideDown));
     doubts.extend(solved.off_middle(frame));
     doubts
 }

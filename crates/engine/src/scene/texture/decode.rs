@@ -196,7 +196,7 @@ mod tests {
             encoder.write_image(&stored, 3, 2, ExtendedColorType::L8).unwrap();
             let texture = decode(&bytes, Alpha::Kept).unwrap();
             let seen: Vec<u8> = texture.levels()[0].rgba.iter().step_by(4).map(|grey| grey / 40).collect();
-            assert_eq!([texture.width(), texture.height()], [rows[0].len() as u32, rows.len() as u32]);
+            assert_eq!([texture.width(), texture.height()].map(|side| side as usize), [rows[0].len(), rows.len()]);
             assert_eq!(seen, rows.concat(), "{orientation}");
         }
     }

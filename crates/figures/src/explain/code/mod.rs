@@ -8,7 +8,6 @@ use super::vocabulary::Limitation;
 use super::{Matrix, MatrixFormula, Notation, Setting, Writer};
 use crate::camera::{AngleUnit, Axes, Camera, ImageSize, Parameters, Program, Projection, ViewWindow};
 use crate::numbers::{DecimalMark, exact};
-pub(crate) use programs::pixels;
 
 crate::listed! {
     /// A library, or a language.

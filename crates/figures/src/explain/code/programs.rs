@@ -9,16 +9,6 @@ use super::{CodeTarget, list, pose, sides};
 use crate::camera::{Axes, Camera, ImageSize, Program, Projection};
 use crate::numbers::exact;
 
-/// `f_x`, `f_y`, `c_x` and `c_y` in pixels, from the top left corner as in (5.22).
-pub(crate) fn pixels(camera: &Camera, image: ImageSize) -> [f64; 4] {
-    let [m, n] = [image.width, image.height].map(f64::from);
-    let [left, _, _, top] = sides(camera);
-    let (width, height) = (camera.window_width(), camera.window_height());
-    // In parallel projection, the pixels of a unit of length.
-    let near = if camera.projection() == Projection::Perspective { camera.near() } else { 1.0 };
-    [near / width * m, near / height * n, -left / width * m, top / height * n]
-}
-
 /// The middle of the window over its height.
 fn shift(camera: &Camera) -> [f64; 2] {
     let [left, right, bottom, top] = sides(camera);
@@ -39,7 +29,7 @@ fn floats(v: DVec3) -> String {
 }
 
 pub(super) fn open_cv(camera: &Camera, image: ImageSize) -> String {
-    let [f_x, f_y, x, y] = pixels(camera, image).map(|x| exact(x + 0.0));
+    let [f_x, f_y, x, y] = camera.intrinsics(image).map(|x| exact(x + 0.0));
     let (r, t) = rotation_and_translation(Axes::OPENCV.view_from_world(camera));
     let ImageSize { width, height } = image;
     format!(
@@ -49,7 +39,7 @@ pub(super) fn open_cv(camera: &Camera, image: ImageSize) -> String {
 }
 
 pub(super) fn open3d(camera: &Camera, image: ImageSize) -> String {
-    let [f_x, f_y, x, y] = pixels(camera, image).map(|x| x + 0.0);
+    let [f_x, f_y, x, y] = camera.intrinsics(image).map(|x| x + 0.0);
     let by_columns = Axes::OPENCV.view_from_world(camera).to_cols_array().map(|x| x + 0.0);
     file(&json!({
         "class_name": "PinholeCameraParameters",
@@ -73,14 +63,14 @@ pub(super) fn colmap(camera: &Camera, image: ImageSize) -> String {
         "# cameras.txt\n1 PINHOLE {} {} {}\n# images.txt\n1 {} {} 1 image.png\n\n",
         image.width,
         image.height,
-        spaced(&pixels(camera, image)),
+        spaced(&camera.intrinsics(image)),
         spaced(&quaternion),
         spaced(&m.col(3).truncate().to_array())
     )
 }
 
 pub(super) fn nerfstudio(camera: &Camera, image: ImageSize) -> String {
-    let [f_x, f_y, x, y] = pixels(camera, image).map(|x| x + 0.0);
+    let [f_x, f_y, x, y] = camera.intrinsics(image).map(|x| x + 0.0);
     let world_from_camera = rows(Axes::BLENDER.world_from_view(camera));
     file(&json!({
         "camera_model": "OPENCV",
@@ -219,7 +209,7 @@ pub(super) fn pytorch3d(camera: &Camera, image: ImageSize) -> String {
     let r = [0, 1, 2].map(|i| list(m.col(i).truncate().to_array()));
     let t = list(m.col(3).truncate().to_array());
     let ImageSize { width, height } = image;
-    let [f_x, f_y, x, y] = pixels(camera, image).map(|x| exact(x + 0.0));
+    let [f_x, f_y, x, y] = camera.intrinsics(image).map(|x| exact(x + 0.0));
     let class = match camera.projection() {
         Projection::Perspective => "PerspectiveCameras",
         Projection::Parallel => "OrthographicCameras",
