@@ -259,7 +259,7 @@ const LINES: [&str; 5] = [
     "resolution: [752, 480]\nintrinsics: [458.654, 457.296, 367.215, 248.375]\nT_BS: [0, 1, 0, 0.1, -1, 0, 0, 0.2, 0, 0, 1, 0.3, 0, 0, 0, 1]\nrate_hz: 20",
 ];
 
-/// What a text gives: each camera with its entries, or the message.
+/// The answer to a text: each camera with its entries, or the message.
 fn answer(text: &str) -> String {
     match read_cameras(text.as_bytes()) {
         Ok(all) => all

@@ -2,7 +2,6 @@
 
 use glam::DVec4;
 
-use crate::camera::recovery::MatrixTextError;
 use crate::camera::{CameraError, Ndc};
 
 /// The lines of a matrix.
@@ -180,4 +179,48 @@ pub enum RecoveryError {
 
 fn row(v: DVec4) -> String {
     format!("{} {} {} {}", v.x, v.y, v.z, v.w)
+}
+
+/// The reason why a text holds no camera.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MatrixTextError {
+    /// Another count of numbers, and no name that says what they are.
+    #[error(
+        "{0} numbers, and no name says what they are; without names it reads 16 numbers (a matrix), 12 (K [R | t], or R and t), 9 (K, or C, PF and VUP) or 7 (a quaternion and t); the guide “Cameras of other programs” lists the files and names that it reads"
+    )]
+    Count(usize),
+    /// A part of it isn't a number.
+    #[error("“{}” is not a number", crate::sanitize::escaped(.0))]
+    Part(String),
+    /// Numbers that the program left out when it printed them.
+    #[error("“...” stands for numbers that were left out; print all of them")]
+    Elided,
+    /// A file of a known format without a camera.
+    #[error("no camera in it; {0} has none of the keys of a camera")]
+    NoCamera(&'static str),
+    /// Matrices of LaTeX.
+    #[error("LaTeX with several matrices can't be read; paste the numbers of M_v, or of M_p, alone")]
+    Latex,
+    /// Names that are known, but that give no camera together.
+    #[error(
+        "{} can't be read as a camera: a pose needs a position and its directions, R and t, or a quaternion and t; the guide “Cameras of other programs” lists the names that it reads", crate::sanitize::escaped(.0)
+    )]
+    Incomplete(String),
+    /// A matrix of another kind.
+    #[error("{} is no matrix of a camera by its name; paste K, R and t, or a view or projection matrix", crate::sanitize::escaped(.0))]
+    NotCamera(String),
+    /// A number that no lens has.
+    #[error("{} is {value}; allowed: {allowed}", crate::sanitize::escaped(.name))]
+    Range {
+        /// As it stands in the text.
+        name: String,
+        /// Its value.
+        value: f64,
+        /// The allowed range, in symbols.
+        allowed: &'static str,
+    },
+    /// A file that isn't text.
+    #[error("it is neither text nor GLB")]
+    NotText,
 }

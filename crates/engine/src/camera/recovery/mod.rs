@@ -16,11 +16,11 @@ mod text;
 mod unknown;
 
 pub use entries::MatrixEntries;
-pub use error::{Lines, RecoveryError};
+pub use error::{Lines, MatrixTextError, RecoveryError};
 pub use evidence::Reason;
 pub use reading::{MatrixKind, Reading, Stated};
 pub use recognition::{Assumed, Candidate, Certainty, Evidence, Recognised, recognise};
-pub use text::{LeftOut, MatrixTextError, Pasted, Used, Why, camera_names, read_cameras};
+pub use text::{LeftOut, Pasted, Used, Why, camera_names, read_cameras};
 pub use unknown::Unknown;
 
 use glam::DMat4;

@@ -4,7 +4,6 @@ use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot};
 
 use super::names::Field;
 use super::words::Word;
-use super::{GivenLens, MatrixTextError, Pasted, Size, image_size};
 use crate::camera::recovery::entries::{MatrixEntries, Written, rigid};
 use crate::camera::recovery::{Axes, MatrixKind, Order, Toward};
 use Field as F;
@@ -20,7 +19,7 @@ pub(crate) struct Entry {
     pub(crate) numbers: Vec<Written>,
     pub(crate) lines: Vec<usize>,
     pub(crate) text: String,
-    /// What a matrix is by its name.
+    /// The kind of a matrix by its name.
     pub(crate) word: Option<Word>,
     /// It stands outside of the camera's own part of the file.
     pub(crate) is_inherited: bool,
@@ -117,18 +116,18 @@ pub(crate) fn sign_of(text: &str) -> Sign {
     SIGNS.into_iter().find(|sign| sign.words.iter().all(|word| text.contains(word))).unwrap_or(NONE)
 }
 
-/// What the entries of one camera say.
+/// The entries of one camera, by their meanings.
 pub(crate) struct Said<'a> {
     pub(crate) entries: &'a [Entry],
     /// The first entry of each meaning, with its numbers.
-    first: Vec<(Field, usize, &'a [Written])>,
+    pub(crate) first: Vec<(Field, usize, &'a [Written])>,
     pub(crate) taken: Vec<(Field, usize)>,
     pub(crate) repeated: Vec<usize>,
     pub(crate) sign: Sign,
 }
 
 impl<'a> Said<'a> {
-    fn new(entries: &'a [Entry], sign: Sign) -> Self {
+    pub(crate) fn new(entries: &'a [Entry], sign: Sign) -> Self {
         let (mut first, mut repeated): (Vec<(Field, usize, &[Written])>, _) = (Vec::new(), Vec::new());
         for (at, entry) in entries.iter().enumerate() {
             let mut rest = entry.numbers.as_slice();
@@ -165,7 +164,7 @@ impl<'a> Said<'a> {
         self.list(field)?.first().copied()
     }
 
-    fn vector(&mut self, field: Field) -> Option<DVec3> {
+    pub(crate) fn vector(&mut self, field: Field) -> Option<DVec3> {
         self.list(field).filter(|list| list.len() >= 3).map(|list| DVec3::from_slice(&list))
     }
 
@@ -191,13 +190,13 @@ impl<'a> Said<'a> {
 /// A pose: its numbers, and what the text states of their reading.
 type Pose = (MatrixEntries, Word);
 
-const fn word(word: &'static str, kind: MatrixKind, axes: Option<Axes>, order: Option<Order>) -> Word {
+pub(crate) const fn word(word: &'static str, kind: MatrixKind, axes: Option<Axes>, order: Option<Order>) -> Word {
     Word { word, kind: Some(kind), axes, order, is_weak: false }
 }
 
 impl Said<'_> {
     /// The pose, if there is a whole one. `is_vision`: a lens in pixels stands beside it.
-    fn pose(&mut self, is_vision: bool) -> Option<Pose> {
+    pub(crate) fn pose(&mut self, is_vision: bool) -> Option<Pose> {
         let axes = self.sign.axes;
         // COLMAP names its quaternion.
         let vision = axes.or((is_vision || self.has(F::Wxyz)).then_some(Axes::OPENCV));
@@ -364,74 +363,4 @@ fn rows_of(r: DMat3) -> [DVec3; 3] {
 pub(crate) fn in_line(lines: &[usize]) -> Option<usize> {
     let first = *lines.first()?;
     (lines.len() > 1 && first > 1 && lines.iter().all(|line| *line == first)).then_some(first)
-}
-
-/// The camera of some entries.
-pub(crate) fn assemble(name: &str, entries: &[Entry], sign: Sign) -> Pasted {
-    let mut said = Said::new(entries, sign);
-    let mut pasted = Pasted { name: name.to_owned(), ..Pasted::default() };
-    let mut image = said.number(F::ImageWidth).zip(said.number(F::ImageHeight)).map(|(m, n)| [m, n]);
-    match said.lens(&mut image) {
-        Ok(lens) => pasted.lens = lens,
-        Err(error) => pasted.refused = Some(error.into()),
-    }
-    pasted.image = image.and_then(|[m, n]| image_size(m, n));
-    let is_vision = matches!(pasted.lens, Some(GivenLens { size: Size::Pixels { .. }, .. })) || said.has(F::Rvec);
-    let has_matrix = said.has(F::Pinhole);
-    pasted.is_scaled = said.number(F::Scale).is_some();
-    if let Some((entries, word)) = said.pose(is_vision) {
-        (pasted.entries, pasted.word) = (Some(entries), Some(word));
-    }
-    if has_matrix {
-        // K, its distortion and R are those before rectification.
-        pasted.lens = None;
-    }
-    if let (Some(d), Some(lens)) = (pasted.entries.as_ref().and_then(|_| distance_of(&pasted)), &mut pasted.lens) {
-        lens.near = lens.near.or(said.number(F::NearOfTarget).map(|near| d + near).filter(|near| *near > 0.0));
-        lens.far = lens.far.or(said.number(F::FarOfTarget).map(|far| d + far));
-    }
-    // POV-Ray: a parallel window is as large as that of the angle at the target.
-    if let Some(lens) = pasted.lens.filter(|lens| lens.is_parallel) {
-        let d = pasted.entries.as_ref().and_then(|_| distance_of(&pasted));
-        let slope = |angle: f64| 2.0 * (angle.to_radians() / 2.0).tan();
-        let size = match (lens.size, d) {
-            (Size::AngleY(angle), Some(d)) => Size::Height(d * slope(angle)),
-            (Size::SlopeX(slope), Some(d)) => Size::Width(d * slope),
-            (Size::AngleY(_) | Size::SlopeX(_) | Size::SlopeSmaller(_) | Size::SlopeLarger(_), _) => Size::Open,
-            (size, _) => size,
-        };
-        pasted.lens = Some(GivenLens { size, ..lens });
-    }
-    pasted.is_chained = said.has(F::Chain);
-    if let (None, Some(chain)) = (&pasted.entries, said.list(F::Chain)) {
-        let m = matrix_of(&chain, 4);
-        let view = word("T_cn_cnm1", MatrixKind::View, Some(Axes::OPENCV), Some(Order::Rows));
-        (pasted.entries, pasted.word) = (Some(MatrixEntries::of_matrix(m, 0.0)), Some(view));
-    }
-    // R alone may be that of a rectification, if it turns nothing.
-    let is_identity = |said: &Said<'_>| {
-        said.first.iter().all(|(field, _, numbers)| {
-            let is_one = |(k, x): (usize, &Written)| (x.value - f64::from(u8::from(k % 4 == 0))).abs() < 1e-9;
-            let is_r = *field == F::R && said.name(F::R).to_lowercase().ends_with('r');
-            !field.is_pose() || *field == F::Up || is_r && numbers.iter().enumerate().all(is_one)
-        })
-    };
-    let is_half = pasted.entries.is_none() && !is_identity(&said);
-    if (is_half || pasted.entries.is_none() && pasted.lens.is_none()) && pasted.refused.is_none() {
-        let is_part = |entry: &&Entry| entry.has(|field| field.is_pose() || field.is_lens() && !is_half);
-        let mut names: Vec<&str> = entries.iter().filter(is_part).map(|entry| entry.name.as_str()).collect();
-        if names.is_empty() {
-            names.extend(entries.iter().take(3).map(|entry| entry.name.as_str()));
-        }
-        pasted.refused = Some(MatrixTextError::Incomplete(names.join(", ")).into());
-    }
-    super::account::account(&mut pasted, &said, has_matrix);
-    pasted
-}
-
-/// D of a look-at.
-fn distance_of(pasted: &Pasted) -> Option<f64> {
-    let entries = pasted.entries.as_ref().filter(|entries| entries.count() == 9)?;
-    let m = entries.matrix(false);
-    Some((m.row(0) - m.row(1)).truncate().length())
 }

@@ -21,7 +21,7 @@ use glam::DMat4;
 
 use crate::camera::ImageSize;
 use crate::camera::recovery::entries::{MatrixEntries, Written};
-use crate::camera::recovery::{Axes, MatrixKind, Order, RecoveryError};
+use crate::camera::recovery::{Axes, MatrixKind, MatrixTextError, Order, RecoveryError};
 use camera::in_line;
 use tree::Node;
 pub(crate) use words::Word;
@@ -159,50 +159,6 @@ pub(crate) enum Size {
     Width(f64),
 }
 
-/// The reason why a text holds no camera.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum MatrixTextError {
-    /// Another count of numbers, and no name that says what they are.
-    #[error(
-        "{0} numbers, and no name says what they are; without names it reads 16 numbers (a matrix), 12 (K [R | t], or R and t), 9 (K, or C, PF and VUP) or 7 (a quaternion and t); the guide “Cameras of other programs” lists the files and names that it reads"
-    )]
-    Count(usize),
-    /// A part of it isn't a number.
-    #[error("“{}” is not a number", crate::sanitize::escaped(.0))]
-    Part(String),
-    /// Numbers that the program left out when it printed them.
-    #[error("“...” stands for numbers that were left out; print all of them")]
-    Elided,
-    /// A file of a known format without a camera.
-    #[error("no camera in it; {0} has none of the keys of a camera")]
-    NoCamera(&'static str),
-    /// Matrices of LaTeX.
-    #[error("LaTeX with several matrices can't be read; paste the numbers of M_v, or of M_p, alone")]
-    Latex,
-    /// Names that are known, but that give no camera together.
-    #[error(
-        "{} can't be read as a camera: a pose needs a position and its directions, R and t, or a quaternion and t; the guide “Cameras of other programs” lists the names that it reads", crate::sanitize::escaped(.0)
-    )]
-    Incomplete(String),
-    /// A matrix of another kind.
-    #[error("{} is no matrix of a camera by its name; paste K, R and t, or a view or projection matrix", crate::sanitize::escaped(.0))]
-    NotCamera(String),
-    /// A number that no lens has.
-    #[error("{} is {value}; allowed: {allowed}", crate::sanitize::escaped(.name))]
-    Range {
-        /// As it stands in the text.
-        name: String,
-        /// Its value.
-        value: f64,
-        /// The allowed range, in symbols.
-        allowed: &'static str,
-    },
-    /// A file that isn't text.
-    #[error("it is neither text nor GLB")]
-    NotText,
-}
-
 /// The names of several cameras, none for a single one. A number from 1 stands for a missing name.
 pub fn camera_names(cameras: &[Pasted]) -> Vec<String> {
     if cameras.len() < 2 {
@@ -278,7 +234,9 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
         return Err(MatrixTextError::Latex);
     }
     let plain = numbers::without_comments(text);
-    let tree = tree::read(&plain)?;
+    let start = plain.trim_start();
+    let is_xml = start.starts_with('<') && (start.contains("</") || start.contains("/>"));
+    let tree = if is_xml { xml::read(start) } else { tree::read(&plain)? };
     let by_parts = [files::gltf, files::open_mvg, files::metashape, files::three_js];
     if let Some(tree) = by_parts.into_iter().find_map(|read| read(&tree)) {
         return walk::cameras(&tree, sign);

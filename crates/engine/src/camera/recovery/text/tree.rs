@@ -3,11 +3,10 @@
 //! JSON, YAML, TOML, XML, scene files and lines of code have one shape: a name, then numbers, a word, or a group with
 //! names of its own. What differs are marks: `=` and `:`, brackets, indentation, tags.
 
+use crate::camera::recovery::MatrixTextError;
 use crate::camera::recovery::entries::Written;
-use crate::camera::recovery::text::MatrixTextError;
 use crate::camera::recovery::text::numbers::{has_decimal_commas, is_separator, without_indices, written};
 use crate::camera::recovery::text::tokens::{Reader, Token};
-use crate::camera::recovery::text::xml::xml;
 
 /// The depth of nesting that is read. No camera needs more.
 pub(crate) const DEPTH: usize = 60;
@@ -163,10 +162,7 @@ pub(crate) fn fold(mut nodes: Vec<Node>) -> Value {
 /// # Errors
 /// [`MatrixTextError::Elided`].
 pub(crate) fn read(text: &str) -> Result<Node, MatrixTextError> {
-    let start = text.trim_start();
-    let is_xml = start.starts_with('<') && (start.contains("</") || start.contains("/>"));
-    let nodes = if is_xml { xml(start) } else { plain(text)? };
-    Ok(Node::new("", fold(nodes)))
+    Ok(Node::new("", fold(plain(text)?)))
 }
 
 fn plain(text: &str) -> Result<Vec<Node>, MatrixTextError> {

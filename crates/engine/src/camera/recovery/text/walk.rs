@@ -1,6 +1,7 @@
 //! A tree → the entries of each of its cameras.
 
-use super::camera::{Entry, Sign, assemble};
+use super::account::assemble;
+use super::camera::{Entry, Sign};
 use super::names::{Field, is_known, meaning, plain};
 use super::tree::{Node, Value};
 use super::{LeftOut, MatrixTextError, Pasted, Why, words};

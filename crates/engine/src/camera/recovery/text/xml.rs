@@ -13,8 +13,13 @@ fn content(text: &str) -> Value {
     }
 }
 
+/// The tree of XML.
+pub(crate) fn read(text: &str) -> Node {
+    Node::new("", fold(xml(text)))
+}
+
 /// The elements of XML: attributes are nodes as well. An attribute that names an element is its name.
-pub(crate) fn xml(text: &str) -> Vec<Node> {
+fn xml(text: &str) -> Vec<Node> {
     let mut open: Vec<(Node, Vec<Node>)> = vec![Default::default()];
     let mut rest = text;
     while let Some(at) = rest.find('<') {
