@@ -67,9 +67,9 @@ impl Figure {
         }
     }
 
-    /// Takes the cameras of a file: the first that can be read becomes the current one, and the others the list, as many
-    /// as it holds. None of the old ones stays. Returns the cameras that weren't taken, with the reason; `None` means
-    /// that the list is full. `size`: that of every image, if you state it.
+    /// Takes the cameras of a file: the first that can be read becomes the current one, and the others the list, as
+    /// many as it holds. None of the old ones stays. Returns the cameras that weren't taken, with the reason; `None`
+    /// means that the list is full. `size`: that of every image, if you state it.
     pub fn take_cameras(
         &mut self,
         cameras: &[Pasted],

@@ -1,9 +1,9 @@
 //! A text or a file of another program → the cameras in it.
 //!
 //! Every form becomes one tree of names and values ([`tree`]). Files that keep a camera in several places are put in
-//! order first ([`files`]). Then one walker ([`walk`]) asks one table of names ([`names`]) for the meaning of each entry,
-//! and each entry is used, or named as left out ([`camera`]). Numbers without such names are a matrix, a quaternion, K or
-//! three vectors by their count.
+//! order first ([`files`]). Then one walker ([`walk`]) asks one table of names ([`names`]) for the meaning of each
+//! entry, and each entry is used, or named as left out ([`account`]). Numbers without such names are a matrix, a
+//! quaternion, K or three vectors by their count.
 
 mod account;
 mod camera;

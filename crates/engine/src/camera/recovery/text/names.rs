@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 #[rustfmt::skip]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Field {
-    /// Of a pose. Center is the target beside an eye, else C. Front leads from the target to the camera in `Open3D`, and
-    /// ahead elsewhere.
+    /// Of a pose. Center is the target beside an eye, else C. Front leads from the target to the camera in `Open3D`,
+    /// and ahead elsewhere.
     Eye, Center, Target, Up, Forward, Backward, Front, T,
     /// −C and 1, of `MeshLab`.
     MinusEye,
