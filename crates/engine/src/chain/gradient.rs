@@ -1,6 +1,7 @@
 //! Numbers with their derivatives by the figure's own numbers, and the condition of a question.
 
 use crate::geometry::double_double::{Dd, sin_cos_degrees, tan_half_degrees};
+use crate::numbers::greatest_singular;
 
 use super::real::{GIVEN, Real};
 
@@ -99,24 +100,4 @@ impl Condition {
     pub fn digits(&self) -> f64 {
         self.number.max(1.0).log10()
     }
-}
-
-/// The greatest singular value of a matrix, and its right singular vector, of length 1.
-pub fn greatest_singular<const N: usize>(rows: &[[f64; N]]) -> (f64, [f64; N]) {
-    // Powers of JᵀJ: those of its greatest eigenvalue outgrow the others. 2¹² steps of the power method at once.
-    let each = |f: &dyn Fn(usize, usize) -> f64| -> [[f64; N]; N] {
-        std::array::from_fn(|i| std::array::from_fn(|j| f(i, j)))
-    };
-    let most = rows.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs())).max(f64::MIN_POSITIVE);
-    let mut power = each(&|i, j| rows.iter().map(|row| row[i] / most * (row[j] / most)).sum());
-    for _ in 0..12 {
-        let trace: f64 = (0..N).map(|k| power[k][k]).sum::<f64>().max(f64::MIN_POSITIVE);
-        let before = power.map(|row| row.map(|x| x / trace));
-        power = each(&|i, j| (0..N).map(|k| before[i][k] * before[k][j]).sum());
-    }
-    let longest = (0..N).max_by(|&a, &b| power[a][a].total_cmp(&power[b][b])).unwrap_or(0);
-    let length = power[longest].into_iter().fold(0.0, f64::hypot);
-    let direction = power[longest].map(|x| if length > 0.0 { x / length } else { 0.0 });
-    let number = rows.iter().map(|row| row.iter().zip(direction).map(|(a, b)| a * b).sum()).fold(0.0, f64::hypot);
-    (number, direction)
 }

@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use crate::camera::{Convention, ImageSize, Ndc, Operation, Parameters, Projection, Viewport};
 pub use enclosure::Enclosure;
-pub use gradient::{Condition, Gradient, greatest_singular};
+pub use gradient::{Condition, Gradient};
 use real::Real;
 
 /// A vector of three numbers.

@@ -46,6 +46,8 @@ pub struct TaskText {
     pub mistakes: Vec<(String, Localized)>,
     /// Keys of a question that have no field, `see` and `place`, with their values from the file.
     pub kept: Vec<(String, String)>,
+    /// The same of mistakes that have a place, each with its sentence.
+    pub kept_mistakes: Vec<(Vec<(String, String)>, Localized)>,
     /// The conditions of a goal.
     pub conditions: Vec<ConditionText>,
     /// Operations and keys that lead to the goal, separated by `;`.
@@ -213,12 +215,19 @@ impl TaskText {
             put_number(table, "tolerance", &self.tolerance);
             self.mistakes.iter().for_each(|(answer, message)| add(numbers_item(answer), message));
         }
+        // A typed number replaces a place.
+        let is_replaced = self.kind == TaskKind::Choices || !self.number.trim().is_empty();
         for (key, written) in &self.kept {
-            // A typed number replaces a place.
-            let is_replaced = key == PLACE && (self.kind == TaskKind::Choices || !self.number.trim().is_empty());
-            if let Some(value) = written.parse::<Value>().ok().filter(|_| !is_replaced) {
+            if let Some(value) = written.parse::<Value>().ok().filter(|_| key != PLACE || !is_replaced) {
                 table.insert(key, Item::Value(value));
             }
+        }
+        for (kept, message) in self.kept_mistakes.iter().filter(|_| !is_replaced) {
+            let mut mistake = Table::new();
+            let values = kept.iter().filter_map(|(key, written)| Some((key, written.parse::<Value>().ok()?)));
+            values.for_each(|(key, value)| drop(mistake.insert(key, Item::Value(value))));
+            mistake.insert("message", told_item(message));
+            mistakes.push(mistake);
         }
         if !mistakes.is_empty() {
             table.insert("mistake", Item::ArrayOfTables(mistakes));
@@ -278,10 +287,18 @@ fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
     }
     only(ask, &["text", "answer", "quantity", "choices", "tolerance", "mistake", SEE, PLACE])?;
     let mut task = TaskText { kind: TaskKind::Number, text: told(ask.get("text"))?, ..TaskText::default() };
-    let kept = [SEE, PLACE].into_iter().filter_map(|key| Some((key, ask.get(key)?.as_value()?)));
-    task.kept = kept.map(|(key, value)| (key.to_owned(), value.to_string().trim().to_owned())).collect();
+    let kept = |of: &dyn TableLike| -> Vec<(String, String)> {
+        let kept = [SEE, PLACE].into_iter().filter_map(|key| Some((key, of.get(key)?.as_value()?)));
+        kept.map(|(key, value)| (key.to_owned(), value.to_string().trim().to_owned())).collect()
+    };
+    task.kept = kept(ask);
     let mut mistakes = Vec::new();
     for mistake in ask.get("mistake").and_then(Item::as_array_of_tables).into_iter().flatten() {
+        if mistake.contains_key(PLACE) {
+            only(mistake, &[SEE, PLACE, "message"])?;
+            task.kept_mistakes.push((kept(mistake), told(mistake.get("message"))?));
+            continue;
+        }
         only(mistake, &["answer", "message"])?;
         mistakes.push((typed(mistake.get("answer")), told(mistake.get("message"))?));
     }

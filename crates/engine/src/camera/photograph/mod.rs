@@ -16,7 +16,7 @@ mod lines;
 use glam::{DMat3, DVec2, DVec3};
 
 use super::{Camera, CameraError, ImageSize, Parameters, Projection, ViewWindow};
-use crate::chain::greatest_singular;
+use crate::numbers::greatest_singular;
 use lines::{CONTRADICTS, Focal, Located, Pair, SURE, direction, doubt, middle, rotation, vanishing};
 pub use lines::{PhotographLine, WorldAxis};
 
@@ -245,11 +245,11 @@ pub fn camera_of_photograph(
     })
 }
 
-/// The condition of the question which camera took a photograph: how many times a small relative change of the marks can
-/// grow in C, PF, VUP and θ, both measured by their 2-norms. `None` if it isn't finite.
+/// The condition of the question which camera took a photograph: how many times a small relative change of the marks
+/// can grow in C, PF, VUP and θ, both measured by their 2-norms. `None` if it isn't finite.
 ///
-/// *Textbook*: the Jacobian by formulas, as [`Condition`](crate::chain::Condition) has it. *Here*: by central
-/// differences, because an eigenvector has no short formula, and they're right to nine digits.
+/// *Textbook*: the Jacobian by formulas. *Here*: by central differences, because an eigenvector has no short formula,
+/// and they're right to nine digits.
 pub fn condition_of_photograph(marks: &PhotographMarks, image: ImageSize, given: &Parameters) -> Option<f64> {
     fn numbers(marks: &mut PhotographMarks) -> Vec<&mut f64> {
         let ends = marks.lines.iter_mut().flat_map(|line| &mut line.ends).chain(&mut marks.origin);

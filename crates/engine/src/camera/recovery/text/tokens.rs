@@ -112,7 +112,10 @@ impl Reader<'_> {
             ends
         };
         let (end, _) = self.rest.char_indices().find(is_end).filter(|(_, c)| *c == mark)?;
-        let text = self.rest[..end].to_owned();
+        let written = &self.rest[..end];
+        // What JSON escapes, `\u00e9`. A path with backslashes that JSON doesn't know stays as it is.
+        let unescaped = (mark == '"').then(|| serde_json::from_str(&format!("\"{written}\"")).ok()).flatten();
+        let text = unescaped.unwrap_or_else(|| written.to_owned());
         self.skip(end + 1);
         Some(text)
     }
