@@ -22,7 +22,7 @@ const CRATES: [(&str, &[Row]); 7] = [
             // The sine of whole degrees is exact there.
             ("expression", &["geometry"]),
             ("camera", &["geometry", "numbers", "expression"]),
-            ("chain", &["camera", "geometry"]),
+            ("chain", &["camera", "geometry", "numbers"]),
             ("scene", &["geometry", "text"]),
             ("text", &[]),
             ("drawing", &[]),
