@@ -107,3 +107,18 @@ fn cameras_of_other_programs_are_read_as_they_publish_them() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
+
+/// At the corner (0.64, 0.48): r² = 0.64, and −0.21 r² + 0.05 r⁴ = −0.11392 of 0.8 × 500 pixels.
+#[test]
+fn a_distortion_is_named_with_its_shift_at_the_corner() {
+    let bench = Bench::new("distortion");
+    let text = r#"{"camera_model": "OPENCV", "fl_x": 500, "fl_y": 500, "cx": 320, "cy": 240, "w": 640, "h": 480,
+        "k1": -0.21, "k2": 0.05,
+        "frames": [{"transform_matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]}]}"#;
+    bench.write("transforms.json", text);
+    bench.write("figure.toml", "");
+    let run = bench.run(&["matrix", "figure.toml", "--from", "transforms.json", "--format", "json"]);
+    let answer: Value = serde_json::from_slice(run.done()).unwrap();
+    let reason = answer["left_out"][0]["reason"].as_str().unwrap();
+    assert!(reason.contains("45.6") && reason.contains("-0.21 0.05"), "{reason}");
+}

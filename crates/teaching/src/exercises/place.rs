@@ -36,7 +36,7 @@ pub(super) fn asked(section: &mut Section<'_>, name: &str, told: &Subject, subje
     Some(Ask { places: true, unit: Unit::Pixels, tolerance, share: f64::INFINITY, ..ask })
 }
 
-/// A wrong place that somebody expects: of another point, or with `see`, in the image after other operations and
+/// The place of an expected mistake: of another point, or with `see`, in the image after other operations and
 /// values of keys than those of the question. An empty list is the image before them. `None`, and a fault, if that
 /// image doesn't have the point.
 pub(super) fn mistaken(section: &mut Section<'_>, told: &Subject, subject: &Subject) -> Option<Table> {

@@ -223,7 +223,7 @@ pub fn left_out(lang: Lang, left: &LeftOut) -> String {
             let (model, value) = (escaped(model), escaped(&left.value));
             return match pixels {
                 Some(pixels) => {
-                    let pixels = lang.mark().number(*pixels, 1);
+                    let pixels = lang.mark().number(*pixels, 3);
                     text!(lang, left_distortion_by, model, value, pixels)
                 }
                 None => text!(lang, left_distortion, model, value),

@@ -132,7 +132,7 @@ pub enum PhotographError {
     /// A number isn't finite, or out of the range of cameras.
     #[error("{0}")]
     Impossible(CameraError),
-    /// The point of the length lies so many pixels beside the axis through the origin.
+    /// The point of the length lies beside the axis through the origin, by these pixels.
     #[error("the point of the length lies {} pixels beside {}", .1, .0.name())]
     BesideAxis(WorldAxis, f64),
     /// The pixel of the length shows no point of the axis at that distance.

@@ -348,7 +348,7 @@ fn seven(parts: [Vec<f64>; 2], is_w_first: Option<bool>, said: Word) -> Option<P
     Some((MatrixEntries::new(numbers, None)?, Word { order, ..said }))
 }
 
-/// A matrix of rows of so many numbers.
+/// A matrix by the numbers in each of its rows.
 pub(crate) fn matrix_of(numbers: &[f64], columns: usize) -> DMat4 {
     let mut m = DMat4::IDENTITY;
     numbers.iter().enumerate().for_each(|(k, x)| m.col_mut(k % columns)[k / columns] = *x);

@@ -266,7 +266,7 @@ pub(crate) fn plain(name: &str) -> String {
     parts.collect::<Vec<_>>().join(".")
 }
 
-/// The meanings of so many numbers under a path of plain names, of which `is_inner` has names of its own. The longest
+/// The meanings of a list under a path of plain names, of which `is_inner` has names of its own. The longest
 /// name decides.
 pub(crate) fn meaning(path: &str, count: usize, is_inner: bool) -> Option<&'static [Field]> {
     let last = path.rsplit('.').next()?;

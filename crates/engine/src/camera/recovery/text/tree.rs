@@ -336,7 +336,7 @@ struct Sequence {
     names: Vec<String>,
     call: String,
     values: Vec<Node>,
-    /// The last value is a run of numbers, of which so many stand in this line.
+    /// The last value is a run of numbers, with their count in this line.
     is_run: bool,
     in_line: usize,
     /// `=` or `:` came before.
