@@ -9,9 +9,9 @@ use serde_json::{Map, Value, json};
 use super::render::{no_picture, save, save_handout};
 use super::{Failure, nearest, print, say};
 use crate::cli::args::exercise::{
-    CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, SheetArgs, ShowArgs,
+    CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, ReportArgs, SheetArgs, ShowArgs,
 };
-use crate::cli::args::words::{TableFormat, written};
+use crate::cli::args::words::{DataFormat, TableFormat, written};
 use crate::exercises::{self, Answer, AnswerError, Ask, Cause, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
 use crate::figure::Figure;
@@ -24,11 +24,12 @@ use crate::sanitize;
 use crate::scene::no_files;
 use crate::views::{SharedScene, Size, View, Views, scene_of};
 use camera_lab_files::{self as files, BadExercise, OwnExercises};
-use camera_lab_words::handout::{self, HandoutOptions, NoPicture};
+use camera_lab_words::class::{self, ClassReport};
+use camera_lab_words::handout::{self, HandoutOptions, NoPicture, Solutions, Version};
 use camera_lab_words::learn::{
-    exercise_messages as said, exercise_sheet as sheet_of, exercise_window, exercises as texts, lessons,
+    exercise_messages::{self as said, plain},
+    exercise_sheet as sheet_of, exercise_window, exercises as texts, lessons,
 };
-use camera_lab_words::why::notes;
 use camera_lab_words::{Lang, messages};
 
 /// Digits of the numbers in worked steps.
@@ -40,6 +41,7 @@ pub(super) fn run(args: &ExerciseArgs, lang: Lang) -> Result<(), Failure> {
         ExerciseCommand::Show(args) => show(args, lang),
         ExerciseCommand::Check(args) => check(args, lang),
         ExerciseCommand::Sheet(args) => sheet(args, lang),
+        ExerciseCommand::Report(args) => report(args, lang),
     }
 }
 
@@ -90,12 +92,18 @@ fn say_faults(own: &OwnExercises, lang: Lang) {
 /// The exercise with an identifier, with the numbers of the arguments.
 fn find(id: &str, numbers: &NumbersArgs, lang: Lang) -> Result<(Entry, Exercise), Failure> {
     let own = own(numbers.folder.as_deref(), lang)?;
-    let found = find_in(&own, id, numbers, lang)?;
+    let found = find_in(&own, id, numbers, numbers.seed(lang)?, lang)?;
     say_faults(&own, lang);
     Ok(found)
 }
 
-fn find_in(own: &OwnExercises, id: &str, numbers: &NumbersArgs, lang: Lang) -> Result<(Entry, Exercise), Failure> {
+fn find_in(
+    own: &OwnExercises,
+    id: &str,
+    numbers: &NumbersArgs,
+    seed: u64,
+    lang: Lang,
+) -> Result<(Entry, Exercise), Failure> {
     let all = || exercises::with_own(&own.entries);
     let entry = all().find(|entry| entry.id == id).cloned().ok_or_else(|| {
         if let Some(bad) = own.faults.iter().find(|bad| bad.id.as_deref() == Some(id)) {
@@ -105,7 +113,7 @@ fn find_in(own: &OwnExercises, id: &str, numbers: &NumbersArgs, lang: Lang) -> R
         Failure::BadInput(said::unknown_exercise(lang, id, nearest(all().map(|entry| &*entry.id), id)))
     })?;
     let free = numbers.free(lang)?;
-    let exercise = entry.exercise(numbers.seed(lang)?, &free);
+    let exercise = entry.exercise(seed, &free);
     let names: Vec<&str> = exercise.free.iter().map(|(name, _)| *name).collect();
     match free.keys().find(|name| !names.contains(&name.as_str())) {
         Some(name) => Err(Failure::BadInput(said::not_free(lang, id, name, &names))),
@@ -264,12 +272,6 @@ fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Resu
     save(path, &file.bytes, None, lang)
 }
 
-/// Markdown without its marks, and mathematics in a line.
-fn plain(markdown: &str) -> String {
-    let part = |(k, part): (usize, &str)| if k % 2 == 1 { notes::plain(part) } else { part.replace("**", "") };
-    markdown.split('$').enumerate().map(part).collect()
-}
-
 /// Markdown without its marks. Mathematics stays as written.
 fn unmarked(markdown: &str) -> String {
     let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { part.replace("**", "") };
@@ -396,38 +398,73 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
 }
 
 /// The name of the picture of a sheet's exercise, beside the sheet, with only letters that LaTeX takes unchanged.
-fn beside(sheet: &Path, number: usize) -> String {
+fn beside(sheet: &Path, version: &Version, number: usize) -> String {
     let stem = sheet.file_stem().unwrap_or_default().to_string_lossy();
     let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
-    format!("{}-{number}.png", stem.chars().map(plain).collect::<String>())
+    let version = version.number.map_or_else(String::new, |version| format!("-{version}"));
+    format!("{}{version}-{number}.png", stem.chars().map(plain).collect::<String>())
 }
 
 fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
-    let written = written(args.numbers.lang);
-    let name = sanitize::path(&args.output);
     let own = own(args.numbers.folder.as_deref(), lang)?;
-    let ids = args.ids.iter().map(|id| id.trim());
-    let found: Vec<Exercise> =
-        ids.map(|id| find_in(&own, id, &args.numbers, lang).map(|(_, exercise)| exercise)).collect::<Result<_, _>>()?;
+    let (seeds, is_range) = args.numbers.seeds(lang)?;
+    let version = |seed: u64| {
+        let found = args.ids.iter().map(|id| find_in(&own, id.trim(), &args.numbers, seed, lang));
+        let exercises = found.map(|found| found.map(|(_, exercise)| exercise)).collect::<Result<_, _>>()?;
+        Ok(Version { number: is_range.then_some(seed), exercises })
+    };
+    let versions: Vec<Version> = seeds.map(version).collect::<Result<_, Failure>>()?;
     say_faults(&own, lang);
-    if args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
-        let options = HandoutOptions { lang: written, columns: 1, answers: args.answers, plan: false, late: false };
+    let written = written(args.numbers.lang);
+    let answers = if args.answers { Solutions::AtEnd } else { Solutions::None };
+    write_sheet((&versions, answers), &args.output, written, lang)?;
+    args.solutions.as_ref().map_or(Ok(()), |path| write_sheet((&versions, Solutions::Alone), path, written, lang))
+}
+
+/// Writes the versions of a sheet in the format given by the ending of the file.
+fn write_sheet(
+    (versions, answers): (&[Version], Solutions),
+    output: &Path,
+    written: Lang,
+    lang: Lang,
+) -> Result<(), Failure> {
+    let name = sanitize::path(output);
+    if output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
+        let options = HandoutOptions { lang: written, columns: 1, answers, plan: false, late: false };
         let made =
-            handout::of_exercises(&found, options, |figure, size| to_match(figure, (written, size), &name, lang))?;
-        return save_handout(&made, &args.output, lang);
+            handout::of_exercises(versions, options, |figure, size| to_match(figure, (written, size), &name, lang))?;
+        return save_handout(&made, output, lang);
     }
-    let picture = |number: usize| beside(&args.output, number);
-    let text = match args.output.extension().and_then(|ending| ending.to_str()) {
-        Some(ending) if ending.eq_ignore_ascii_case("md") => {
-            sheet_of::markdown(written, &found, args.answers, &picture)
-        }
-        Some(ending) if ending.eq_ignore_ascii_case("tex") => sheet_of::latex(written, &found, args.answers, &picture),
+    let picture = |version: &Version, number: usize| beside(output, version, number);
+    let text = match output.extension().and_then(|ending| ending.to_str()) {
+        Some(ending) if ending.eq_ignore_ascii_case("md") => sheet_of::markdown(written, (versions, answers), &picture),
+        Some(ending) if ending.eq_ignore_ascii_case("tex") => sheet_of::latex(written, (versions, answers), &picture),
         _ => return Err(Failure::BadInput(said::sheet_ending(lang, &name))),
     };
-    for (k, exercise) in found.iter().enumerate() {
-        if let Some(figure) = exercise.figure_to_match() {
-            save_picture(&args.output.with_file_name(picture(k + 1)), &figure, written, lang)?;
+    for version in versions.iter().filter(|_| answers != Solutions::Alone) {
+        for (number, exercise) in (1..).zip(&version.exercises) {
+            if let Some(figure) = exercise.figure_to_match() {
+                save_picture(&output.with_file_name(picture(version, number)), &figure, written, lang)?;
+            }
         }
     }
-    save(&args.output, text.as_bytes(), None, lang)
+    save(output, text.as_bytes(), None, lang)
+}
+
+/// Reports the mistakes of a class. A file that holds no progress is named in the report, and is no error.
+fn report(args: &ReportArgs, lang: Lang) -> Result<(), Failure> {
+    let written = written(args.lang);
+    if let Some(output) = &args.output {
+        if PictureFormat::of(output) != Some(PictureFormat::Pdf) {
+            return Err(Failure::BadInput(class::ending(lang, &sanitize::path(output))));
+        }
+        return save_handout(&ClassReport::of_files(&args.files, written).handout(written), output, lang);
+    }
+    let report = ClassReport::of_files(&args.files, written);
+    let text = match args.format {
+        DataFormat::Json => json_text(&report.json()),
+        DataFormat::Csv => report.csv(),
+        DataFormat::Text => report.text(written),
+    };
+    print(text.as_bytes(), lang)
 }

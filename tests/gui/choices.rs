@@ -11,7 +11,7 @@ use camera_lab::picture::Paragraph;
 use camera_lab::scene::{Preset, SceneSpec, no_files};
 use camera_lab::views::{SharedScene, View, Views, scene_of};
 use camera_lab_words::Lang;
-use camera_lab_words::handout::{self, HandoutOptions};
+use camera_lab_words::handout::{self, HandoutOptions, Solutions};
 use camera_lab_words::learn::exercises::choice_of;
 use camera_lab_words::why::notes;
 use eframe::egui::Key;
@@ -104,13 +104,18 @@ fn the_words_of_a_choice_with_a_formula_choose_it() {
 fn no_choice_shows_its_marks_on_paper() {
     for lang in [Lang::En, Lang::PtBr] {
         for lesson in shipped().iter().map(|shipped| &shipped.lesson) {
-            let options = HandoutOptions { lang, columns: 1, answers: true, plan: true, late: false };
+            let options = HandoutOptions { lang, columns: 1, answers: Solutions::AtEnd, plan: true, late: false };
             let handout = handout::of_lesson(lesson, options, |(_, step), size| {
                 let scene = SharedScene::new(scene_of(&step.figure, &mut no_files, &Default::default()).unwrap());
                 handout::picture(&step.figure, &scene, Views::One(View::Image), size, lang)
             });
-            let paragraphs: Vec<Paragraph> =
-                handout.unwrap().entries.into_iter().flat_map(|entry| entry.paragraphs).collect();
+            let paragraphs: Vec<Paragraph> = handout
+                .unwrap()
+                .parts
+                .into_iter()
+                .flat_map(|part| part.entries)
+                .flat_map(|entry| entry.paragraphs)
+                .collect();
             let asked = lesson.steps.iter().filter_map(with_choices).map(|exercise| choices(lang, &exercise).len());
             let is_choice =
                 |paragraph: &&Paragraph| matches!(paragraph, Paragraph::Text(text) if text.starts_with('☐'));

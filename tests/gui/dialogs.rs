@@ -565,6 +565,38 @@ fn forms_keep_typed_and_chosen_values() {
     assert_eq!(field.value().as_deref(), Some("Other"));
 }
 
+/// Thirty versions of a sheet are one file with each number at the foot of its pages, and their solutions are another.
+#[test]
+fn thirty_versions_are_one_file_with_their_solutions_beside_it() {
+    let folder = Folder::new("versions");
+    let t = handouts::texts(Lang::En);
+    let mut window = Window::new(Lang::En);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::K);
+    window.run();
+    window.click_in_dialog(t.answers);
+    window.enter(t.numbers, "1");
+    window.enter(t.until, "30");
+    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count >= 30));
+    window.click(t.save);
+    let path = folder.file("sheet.pdf");
+    window.harness.get_by_role_and_label(Role::TextInput, "file").focus();
+    window.run();
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.harness.event(Event::Text(path.display().to_string()));
+    window.run();
+    window.key(Key::Enter);
+    window.wait(|_| path.exists());
+    for path in [path, folder.file("sheet-solutions.pdf")] {
+        assert!(fs::read(&path).expect("written").starts_with(b"%PDF"), "{}", path.display());
+    }
+    // Fewer than one version can't be had, and raising the first number leaves no version behind it.
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::K);
+    window.run();
+    window.enter(t.numbers, "40");
+    let Some(Dialog::Handout(form)) = &window.state().file_flow.dialog else { panic!("no sheet") };
+    assert_eq!(form.seeds, [40, 40]);
+}
+
 /// A sheet begins with an exercise that has its numbers, and says which ones are the same for everybody.
 #[test]
 fn a_new_sheet_ticks_an_exercise_that_has_its_numbers() {

@@ -18,10 +18,13 @@ const STUDENT: [(Lang, &str, &str); 2] = [
     (Lang::En, include_str!("../../docs/student.en.md"), "| operation |"),
     (Lang::PtBr, include_str!("../../docs/student.pt-BR.md"), "| operação |"),
 ];
-/// The guide for lecturers, with its table of mistakes.
-const LECTURER: [(Lang, &str, &str); 2] = [
-    (Lang::En, include_str!("../../docs/lecturer.en.md"), "| code | mistake |"),
-    (Lang::PtBr, include_str!("../../docs/lecturer.pt-BR.md"), "| código | erro |"),
+/// The guide for lecturers.
+const LECTURER: [(Lang, &str); 2] =
+    [(Lang::En, include_str!("../../docs/lecturer.en.md")), (Lang::PtBr, include_str!("../../docs/lecturer.pt-BR.md"))];
+/// The page of mistakes, with its table.
+const MISTAKES: [(Lang, &str, &str); 2] = [
+    (Lang::En, include_str!("../../docs/mistakes.en.md"), "| code | mistake |"),
+    (Lang::PtBr, include_str!("../../docs/mistakes.pt-BR.md"), "| código | erro |"),
 ];
 /// The guide to the command line.
 const COMMAND_LINE: [(Lang, &str); 2] = [
@@ -159,7 +162,7 @@ fn the_guides_list_the_operations_of_the_command_line() {
 
 #[test]
 fn the_guides_list_every_mistake_by_its_code() {
-    for (lang, guide, heading) in LECTURER {
+    for (lang, guide, heading) in MISTAKES {
         let expected: Vec<Vec<String>> = Mistake::ALL
             .iter()
             .map(|mistake| vec![format!("`{}`", mistake.code()), exercises::mistake(lang, *mistake)[0].to_owned()])
@@ -175,8 +178,8 @@ fn words(page: &str) -> usize {
 
 #[test]
 fn guides_are_short_enough_to_be_read() {
-    let pages = STUDENT.iter().chain(&LECTURER).map(|(_, page, _)| *page);
-    for page in pages.chain(COMMAND_LINE.iter().chain(&AUTHOR).map(|(_, page)| *page)) {
+    let pages = STUDENT.iter().map(|(_, page, _)| *page);
+    for page in pages.chain(LECTURER.iter().chain(&COMMAND_LINE).chain(&AUTHOR).map(|(_, page)| *page)) {
         assert!((800..4000).contains(&words(page)), "{}: {} words", &page[..40], words(page));
         for paragraph in page.split("```").step_by(2).flat_map(|text| text.split("\n\n")) {
             let is_prose = !paragraph.trim_start().starts_with(['|', '-', '1']);

@@ -57,6 +57,7 @@ const CRATES: [(&str, &[Row]); 7] = [
             ("command_line", &["messages"]),
             ("handout", &["learn", "pictures", "why"]),
             ("learn", &["messages", "why", "window"]),
+            ("class", &["handout", "learn", "messages"]),
             ("messages", &["window"]),
             ("pictures", &["why", "window"]),
             ("why", &["messages", "pictures", "window"]),

@@ -11,7 +11,7 @@ use camera_lab::lessons::{Link, Seen, Subject, Task, families_of, lesson_of, obj
 use camera_lab::picture::Paragraph;
 use camera_lab::scene::no_files;
 use camera_lab::views::{Request, SharedScene, Size, View, Views, scene_of};
-use camera_lab_words::handout::{self, HandoutOptions};
+use camera_lab_words::handout::{self, HandoutOptions, Solutions};
 use camera_lab_words::learn::{exercise_sheet, lessons as words};
 use camera_lab_words::pictures::labels;
 use camera_lab_words::why::notes;
@@ -525,17 +525,17 @@ fn the_axes_of_the_camera_are_in_the_world_of_every_step() {
 fn no_page_of_a_handout_answers_a_question_of_the_page_before() {
     let lesson = &shipped()[0].lesson;
     let headings = |late: bool| -> Vec<String> {
-        let options = HandoutOptions { lang: Lang::En, columns: 1, answers: false, plan: false, late };
+        let options = HandoutOptions { lang: Lang::En, columns: 1, answers: Solutions::None, plan: false, late };
         let handout = handout::of_lesson(lesson, options, |(_, step), size| {
             let scene = scene_of(&step.figure, &mut no_files, &Default::default()).unwrap();
             handout::picture(&step.figure, &SharedScene::new(scene), Views::One(View::Image), size, Lang::En)
         });
-        let entries = handout.unwrap().entries;
+        let entries = handout.unwrap().parts.into_iter().flat_map(|part| part.entries);
         let heading = |paragraph: &Paragraph| match paragraph {
             Paragraph::Heading(text) => Some(text.clone()),
             _ => None,
         };
-        entries.iter().filter_map(|entry| entry.paragraphs.first().and_then(heading)).collect()
+        entries.filter_map(|entry| entry.paragraphs.first().and_then(heading)).collect()
     };
     let [usual, late] = [false, true].map(headings);
     assert_eq!(usual.len(), late.len());

@@ -10,6 +10,7 @@ mod begun;
 mod camera_extreme;
 mod cameras;
 mod claims;
+mod class;
 mod cli;
 mod code;
 mod compare;

@@ -260,3 +260,35 @@ fn a_picture_to_be_matched_goes_beside_its_sheet_and_keeps_its_camera_to_itself(
     exercise(&["show", "basis", "--picture", "none.png"]).refused(2);
     assert!(exercise(&["show", "basis", "--format", "json"]).json()["picture"].is_null());
 }
+
+#[test]
+fn a_range_of_seeds_makes_versions_with_their_solutions_in_a_file_of_their_own() {
+    let bench = Bench::new("exercise-versions");
+    let sheet =
+        |arguments: &[&str]| bench.run(&[&["exercise", "sheet", "--ids", "basis,match-picture"], arguments].concat());
+    sheet(&["--seed", "4-6", "--solutions", "answers.md", "-o", "sheet.md"]).done();
+    sheet(&["--seed", "4-6", "--solutions", "answers.tex", "-o", "sheet.tex", "--lang", "pt-BR"]).done();
+    let read = |name: &str| String::from_utf8(bench.read(name)).unwrap();
+    for number in 4..=6 {
+        for name in ["sheet.md", "answers.md"] {
+            assert_eq!(read(name).matches(&format!("Version {number}")).count(), 1, "{name}");
+        }
+        assert!(read("sheet.md").contains(&format!("basis, seed {number}")));
+        assert!(read("sheet.tex").contains(&format!("{{\\hfil Versão {number} ")), "{number}");
+        // The picture to match of each version.
+        assert!(read("sheet.md").contains(&format!("(sheet-{number}-2.png)")));
+        assert_ne!(bench.read(&format!("sheet-{number}-2.png")), bench.read("sheet-4-2.png").split_off(1));
+        // A version is what its seed alone gives.
+        sheet(&["--seed", &number.to_string(), "-o", "one.md"]).done();
+        let one = read("one.md");
+        let statement = one.lines().find(|line| line.starts_with("A camera")).expect("a statement");
+        assert!(read("sheet.md").contains(statement), "{statement}");
+        assert!(!one.contains("Version"), "{one}");
+    }
+    let answers = read("answers.md");
+    assert!(!answers.contains("Name:") && answers.contains("**a)**"), "{answers}");
+    for seeds in ["6-4", "1-", "a-b", "0-100000", "-1"] {
+        let run = sheet(&["--seed", seeds, "-o", "no.md"]);
+        assert!(run.refused(2).contains("1-30"), "{seeds}");
+    }
+}

@@ -11,6 +11,7 @@ use camera_lab::exercises::{Exercise, Free, OwnTexts, entries, own};
 use camera_lab::figure::Localized;
 use camera_lab::formula;
 use camera_lab_words::Lang;
+use camera_lab_words::handout::{Solutions, Version};
 use camera_lab_words::learn::{exercise_sheet as sheet, exercises as texts};
 use camera_lab_words::why::notes::{Piece, notes};
 
@@ -106,9 +107,9 @@ fn foreign_words(latex: &str) -> Vec<String> {
 
 /// Holds that a sheet with these texts commands nothing, in both formats.
 fn is_inert(texts: &[String]) -> Result<(), TestCaseError> {
-    let sheets = [exercise(texts)];
-    let picture = |number: usize| format!("{number}.png");
-    let latex = sheet::latex(Lang::En, &sheets, true, &picture);
+    let sheets = [Version { number: None, exercises: vec![exercise(texts)] }];
+    let picture = |_: &Version, number: usize| format!("{number}.png");
+    let latex = sheet::latex(Lang::En, (&sheets, Solutions::AtEnd), &picture);
     prop_assert_eq!(foreign_words(&latex), Vec::<String>::new(), "{}", latex);
     prop_assert!(!latex.contains("^^") && latex.matches("\\end{document}").count() == 1, "{latex}");
     // A percent sign stands after a backslash.
@@ -116,7 +117,7 @@ fn is_inert(texts: &[String]) -> Result<(), TestCaseError> {
     let begun: Vec<&str> = latex.split("\\begin{").skip(1).filter_map(|rest| rest.split('}').next()).collect();
     let known = |name: &&str| ["document", "quote", "enumerate", "align*", "bmatrix", "matrix", "array"].contains(name);
     prop_assert!(begun.iter().all(known), "{begun:?}");
-    let markdown = sheet::markdown(Lang::En, &sheets, true, &picture);
+    let markdown = sheet::markdown(Lang::En, (&sheets, Solutions::AtEnd), &picture);
     for (at, _) in markdown.match_indices('<') {
         let rest = &markdown[at..];
         let is_tag = rest[1..].starts_with(|c: char| c.is_ascii_alphabetic() || "/!?".contains(c));
@@ -248,8 +249,8 @@ fn a_hostile_sheet_compiles_to_its_words_and_takes_nothing_of_the_machine() {
     bench.write("secret.tex", secret);
     let mut texts = attacks("secret.txt");
     texts.extend(attacks(bench.path("secret.txt").to_str().unwrap()));
-    let sheets: Vec<Exercise> = texts.chunks(24).map(exercise).collect();
-    let latex = sheet::latex(Lang::En, &sheets, true, &|_| String::new());
+    let sheets = [Version { number: None, exercises: texts.chunks(24).map(exercise).collect() }];
+    let latex = sheet::latex(Lang::En, (&sheets, Solutions::AtEnd), &|_, _| String::new());
     bench.write("sheet.tex", &latex);
     let mut pdflatex = Command::new("pdflatex");
     // With all that LaTeX may be allowed.

@@ -3,6 +3,7 @@
 use crate::chart::Chart;
 use crate::export::plot::Block;
 use crate::lessons::{Lesson, OpenLesson};
+use camera_lab_words::class::ClassReport;
 
 /// A request of one feature to another. The window performs it at the end of the frame.
 #[derive(Clone, Debug)]
@@ -83,6 +84,10 @@ pub enum FileFor {
     Progress,
     /// A folder of a lecturer's own exercises.
     Exercises,
+    /// A folder with the progress of students.
+    Class,
+    /// To write the report on a class.
+    ClassReport(Box<ClassReport>),
 }
 
 /// An action to perform once nothing can be lost any more.

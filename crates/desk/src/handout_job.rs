@@ -6,7 +6,7 @@ use crate::picture::{Handout, PictureError};
 use crate::progress::Progress;
 use crate::views::{SharedScene, View, Views, scene_of};
 use camera_lab_files::{FigureFiles, FileAccess};
-use camera_lab_words::handout::{self, HandoutOptions, NoPicture, Scenes, views_of};
+use camera_lab_words::handout::{self, HandoutOptions, NoPicture, Scenes, Solutions, Version, views_of};
 
 /// A requested handout.
 #[derive(Clone)]
@@ -22,8 +22,8 @@ pub struct Job {
 pub enum Content {
     /// A lesson, with its file.
     Lesson(OpenLesson),
-    /// Exercises with their numbers, in the order of the sheet.
-    Exercises(Vec<crate::exercises::Exercise>),
+    /// Exercises with their numbers.
+    Exercises(Vec<Version>),
 }
 
 impl From<NoPicture> for ExportError {
@@ -60,8 +60,18 @@ impl Job {
         }
     }
 
-    /// The handout as a PDF file.
-    pub async fn pdf(&self, progress: &Progress) -> Result<Vec<u8>, ExportError> {
-        Ok(self.handout(progress)?.pdf(progress).await?)
+    /// The handout as a PDF file. Solutions of several versions are a second one.
+    ///
+    /// # Errors
+    /// [`ExportError`] if a picture can't be drawn.
+    pub async fn pdfs(&self, progress: &Progress) -> Result<(Vec<u8>, Option<Vec<u8>>), ExportError> {
+        let with =
+            |answers| Self { options: HandoutOptions { answers, ..self.options }, content: self.content.clone() };
+        let pdf = async |job: &Self| Ok::<_, ExportError>(job.handout(progress)?.pdf(progress).await?);
+        let has_versions = matches!(&self.content, Content::Exercises(versions) if versions.len() > 1);
+        if !has_versions || self.options.answers == Solutions::None {
+            return Ok((pdf(self).await?, None));
+        }
+        Ok((pdf(&with(Solutions::None)).await?, Some(pdf(&with(Solutions::Alone)).await?)))
     }
 }

@@ -1,12 +1,13 @@
 //! Lessons and exercises on paper, for the command line and the window.
 
+pub use crate::learn::exercise_sheet::{MAX_VERSIONS, Solutions, Version};
 use crate::learn::{exercise_messages, exercise_sheet, exercises as said, lessons as texts};
 use crate::{Lang, pictures};
 use camera_lab_engine::camera::{Camera, CameraError, ImageSize};
 use camera_lab_engine::scene::Scene;
 use camera_lab_figures::figure::Figure;
 use camera_lab_figures::picture::{
-    Composite, FormulaPart, Handout, HandoutEntry, NoComposite, Paragraph, have_same_scene,
+    Composite, FormulaPart, Handout, HandoutEntry, HandoutPart, NoComposite, Paragraph, have_same_scene,
 };
 use camera_lab_figures::views::{Request, SharedScene, Shot, Size, View, Views};
 use camera_lab_teaching::exercises::{self, Exercise, Kind};
@@ -32,8 +33,8 @@ pub struct HandoutOptions {
     pub lang: Lang,
     /// One column, or two with smaller entries.
     pub columns: usize,
-    /// The solutions are at its end.
-    pub answers: bool,
+    /// Its solutions.
+    pub answers: Solutions,
     /// It begins with the plan for the lecturer.
     pub plan: bool,
     /// Steps that answer the question before them come after all questions.
@@ -88,14 +89,18 @@ pub fn of_lesson<E>(
     if !options.late {
         entries.extend(after);
     }
-    if options.answers {
+    let title = texts::told(lang, &lesson.title).to_owned();
+    let mut parts = vec![HandoutPart { title, foot: String::new(), entries }];
+    if options.answers != Solutions::None {
         let solutions = lesson.steps.iter().enumerate().filter_map(|(k, step)| solution(lang, k, step));
         let before = solved_around(lang, t.pretest, &lesson.pretest);
         let after = solved_around(lang, t.posttest, &lesson.posttest);
-        entries.extend(with_heading(lang, before.into_iter().chain(solutions).chain(after).collect()));
+        let entries: Vec<HandoutEntry> = before.into_iter().chain(solutions).chain(after).collect();
+        if !entries.is_empty() {
+            parts.push(HandoutPart { title: t.solutions.to_owned(), foot: String::new(), entries });
+        }
     }
-    let title = texts::told(lang, &lesson.title).to_owned();
-    Ok(Handout { title, language: lang.tag(), entries, columns })
+    Ok(Handout { language: lang.tag(), parts, columns })
 }
 
 /// True if a step only shows the answer to the question of the step before it.
@@ -105,38 +110,50 @@ fn answers(lesson: &Lesson, step: usize) -> bool {
     is_shown && lesson.steps.get(step).is_some_and(|step| step.task.is_none())
 }
 
-/// Exercises as a handout. `draw` makes the picture that an exercise asks to match, in a size.
+/// Exercises as a handout: first the sheets of all versions, then their solutions. `draw` makes the picture that an
+/// exercise asks to match, in a size.
 ///
 /// # Errors
 /// The errors of `draw`.
 pub fn of_exercises<E>(
-    sheet: &[Exercise],
+    versions: &[Version],
     options: HandoutOptions,
     mut draw: impl FnMut(&Figure, Size) -> Result<Composite, E>,
 ) -> Result<Handout, E> {
-    let HandoutOptions { lang, columns, .. } = options;
+    let HandoutOptions { lang, columns, answers, .. } = options;
     let t = exercise_messages::texts(lang);
-    // An underscore would begin a subscript.
-    let [name, date] = [36, 18].map(|dots| "…".repeat(dots / 2));
-    let line = Paragraph::Text(format!("{}: {name}  {}: {date}", t.name, t.date));
-    let mut entries = vec![HandoutEntry { picture: None, paragraphs: vec![line] }];
-    for (number, exercise) in (1..).zip(sheet) {
-        let picture = exercise.figure_to_match().map(|figure| draw(&figure, options.size())).transpose()?;
-        let title = said::exercise_title(lang, exercise);
-        let mut paragraphs = vec![Paragraph::Heading(format!("{number}. {title}"))];
-        paragraphs.extend(said::statement(lang, exercise).iter().flat_map(|paragraph| set(paragraph)));
-        let assumptions = said::assumptions(lang, exercise);
-        paragraphs.extend(assumptions.iter().map(|assumption| Paragraph::Remark(in_line(assumption))));
-        paragraphs.extend(questions(lang, exercise, options.room()));
-        paragraphs.push(Paragraph::Remark(format!("{}, {} {}", exercise.id, t.seed, exercise.seed)));
-        entries.push(HandoutEntry { picture, paragraphs });
+    let mut parts = Vec::new();
+    for version in versions.iter().filter(|_| answers != Solutions::Alone) {
+        // An underscore would begin a subscript.
+        let [name, date] = [36, 18].map(|dots| "…".repeat(dots / 2));
+        let line = Paragraph::Text(format!("{}: {name}  {}: {date}", t.name, t.date));
+        let mut entries = vec![HandoutEntry { picture: None, paragraphs: vec![line] }];
+        for (number, exercise) in (1..).zip(&version.exercises) {
+            let picture = exercise.figure_to_match().map(|figure| draw(&figure, options.size())).transpose()?;
+            let title = said::exercise_title(lang, exercise);
+            let mut paragraphs = vec![Paragraph::Heading(format!("{number}. {title}"))];
+            paragraphs.extend(said::statement(lang, exercise).iter().flat_map(|paragraph| set(paragraph)));
+            let assumptions = said::assumptions(lang, exercise);
+            paragraphs.extend(assumptions.iter().map(|assumption| Paragraph::Remark(in_line(assumption))));
+            paragraphs.extend(questions(lang, exercise, options.room()));
+            paragraphs.push(Paragraph::Remark(exercise_messages::source_of_numbers(lang, exercise)));
+            entries.push(HandoutEntry { picture, paragraphs });
+        }
+        parts.push(HandoutPart { title: t.exercises.to_owned(), foot: version.name(lang), entries });
     }
-    if options.answers {
+    for version in versions.iter().filter(|_| answers != Solutions::None) {
         let title = |number, exercise| format!("{number}. {}", said::exercise_title(lang, exercise));
-        let solutions = (1..).zip(sheet).map(|(number, exercise)| solved(lang, exercise, title(number, exercise)));
-        entries.extend(with_heading(lang, solutions.collect()));
+        let solutions = (1..).zip(&version.exercises);
+        let entries = solutions.map(|(number, exercise)| solved(lang, exercise, title(number, exercise))).collect();
+        let title = texts::texts(lang).solutions.to_owned();
+        parts.push(HandoutPart { title, foot: version.name(lang), entries });
     }
-    Ok(Handout { title: t.exercises.to_owned(), language: lang.tag(), entries, columns })
+    Ok(Handout { language: lang.tag(), parts, columns })
+}
+
+/// "a) ", "b) " … before a question and its answer if there are several.
+fn letter(exercise: &Exercise, k: usize) -> String {
+    ('a'..='z').nth(k).filter(|_| exercise.asks.len() > 1).map_or_else(String::new, |letter| format!("{letter}) "))
 }
 
 /// The scenes of a handout. Figures with the same objects share one, so that equal pictures are drawn once.
@@ -192,13 +209,6 @@ pub fn views_of(figure: &Figure) -> Views {
     let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
     let is_it = |views: &Views| View::ALL.iter().zip(shown).all(|(view, shown)| views.contains(*view) == shown);
     Views::CHOICES.into_iter().find(is_it).unwrap_or(Views::All)
-}
-
-fn with_heading(lang: Lang, mut solutions: Vec<HandoutEntry>) -> Vec<HandoutEntry> {
-    if let Some(first) = solutions.first_mut() {
-        first.paragraphs.insert(0, Paragraph::Heading(texts::texts(lang).solutions.to_owned()));
-    }
-    solutions
 }
 
 /// A size of a picture whose letters have [`LETTERS`] points on the page.
@@ -271,8 +281,8 @@ fn solved_around(lang: Lang, heading: &str, asked: &[Question]) -> Vec<HandoutEn
 /// The questions of an exercise, with room for the answers.
 fn questions(lang: Lang, exercise: &Exercise, room: [usize; 2]) -> Vec<Paragraph> {
     let mut paragraphs = Vec::new();
-    for ask in &exercise.asks {
-        paragraphs.extend(set(&said::ask(lang, exercise, ask)));
+    for (k, ask) in exercise.asks.iter().enumerate() {
+        paragraphs.extend(set(&format!("{}{}", letter(exercise, k), said::ask(lang, exercise, ask))));
         if let Kind::Choice(choices) = &ask.kind {
             let choice = |name| Paragraph::Text(format!("☐ {}", in_line(said::choice_of(lang, ask, name))));
             paragraphs.extend(choices.iter().map(|name| choice(name.as_str())));
@@ -302,8 +312,8 @@ fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
 /// The answers to an exercise with their worked steps, below a title.
 fn solved(lang: Lang, exercise: &Exercise, title: String) -> HandoutEntry {
     let mut paragraphs = vec![Paragraph::Text(title)];
-    for ask in &exercise.asks {
-        paragraphs.push(answered(&exercise_sheet::answer(lang, ask)));
+    for (k, ask) in exercise.asks.iter().enumerate() {
+        paragraphs.push(answered(&letter(exercise, k), &exercise_sheet::answer(lang, ask)));
     }
     let steps = exercise.new_steps();
     for step in steps.iter().flatten() {
@@ -323,14 +333,14 @@ fn solved(lang: Lang, exercise: &Exercise, title: String) -> HandoutEntry {
     HandoutEntry { picture: None, paragraphs }
 }
 
-/// An answer. A matrix, `[[a, b], [c, d]]`, in rows.
-fn answered(answer: &str) -> Paragraph {
+/// An answer behind its letter. A matrix, `[[a, b], [c, d]]`, in rows.
+fn answered(letter: &str, answer: &str) -> Paragraph {
     let inner = answer.strip_prefix("[[").and_then(|answer| answer.strip_suffix("]]"));
-    let Some(inner) = inner else { return Paragraph::Text(format!("→ {}", in_line(answer))) };
+    let Some(inner) = inner else { return Paragraph::Text(format!("{letter}→ {}", in_line(answer))) };
     let separator = if inner.contains(';') { ";" } else { "," };
     let row = |row: &str| row.split(separator).map(|entry| in_line(entry.trim())).collect();
     let rows = inner.split(']').map(|rest| rest.trim_start_matches([',', ';', ' ', '[']));
-    Paragraph::Formula(vec![FormulaPart::Line("→".to_owned()), FormulaPart::Matrix(rows.map(row).collect())])
+    Paragraph::Formula(vec![FormulaPart::Line(format!("{letter}→")), FormulaPart::Matrix(rows.map(row).collect())])
 }
 
 /// Markdown as paragraphs. Formulas on lines of their own are paragraphs, and so are those with matrices.
@@ -375,7 +385,7 @@ fn lowered(line: &str) -> String {
 }
 
 /// Markdown on a line: without its marks, formulas as signs.
-fn in_line(markdown: &str) -> String {
+pub(crate) fn in_line(markdown: &str) -> String {
     let text = markdown.replace("$$", "$").replace("**", "").replace('\n', " ");
     let part = |(k, part): (usize, &str)| match k % 2 {
         1 => formula_in_line(part),
@@ -420,6 +430,8 @@ fn formula_in_line(latex: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
     use super::*;
 
     #[test]
@@ -453,11 +465,53 @@ mod tests {
             assert_eq!(*rows, [row(["1", "0,5"]), row(["0", "−1"])]);
         }
         for answer in ["[[1, 0.5], [0, -1]]", "[[1; 0,5]; [0; -1]]"] {
-            let Paragraph::Formula(parts) = answered(answer) else { panic!("a matrix") };
+            let Paragraph::Formula(parts) = answered("", answer) else { panic!("a matrix") };
             let FormulaPart::Matrix(rows) = &parts[1] else { panic!("a matrix") };
             assert_eq!(rows.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2], "{rows:?}");
         }
-        assert_eq!(answered("(1, 2)"), Paragraph::Text("→ (1, 2)".to_owned()));
+        assert_eq!(answered("b) ", "(1, 2)"), Paragraph::Text("b) → (1, 2)".to_owned()));
         assert_eq!(lowered("p_11 = 2F/W_c"), "p_{11} = 2F/W_c");
+    }
+
+    #[test]
+    fn each_page_of_a_version_has_its_number_and_each_answer_its_letter() {
+        use camera_lab_engine::progress::{Progress, at_once};
+        use camera_lab_figures::export::vector::{Item, Page};
+
+        fn texts(items: &[Item]) -> Vec<String> {
+            let text = |item: &Item| match item {
+                Item::Text(text) => vec![text.text.clone()],
+                Item::Group { items, .. } => texts(items),
+                _ => Vec::new(),
+            };
+            items.iter().flat_map(text).collect()
+        }
+        let of = |id: &str, seed| exercises::entry(id).map(|entry| entry.exercise(seed, &Default::default()));
+        let version = |number: u64| {
+            let exercises = ["basis", "0-5.1", "view-matrix"].iter().filter_map(|id| of(id, number)).collect();
+            Version { number: Some(number), exercises }
+        };
+        let versions: Vec<Version> = (7..=9).map(version).collect();
+        let pages = |answers| -> Vec<Vec<String>> {
+            let options = HandoutOptions { lang: Lang::PtBr, columns: 1, answers, plan: false, late: false };
+            let made = of_exercises(&versions, options, |_, _| Err(())).unwrap();
+            let pages: Vec<Page> = at_once(made.pages(&Progress::default())).unwrap();
+            pages.iter().map(|page| texts(&page.items)).collect()
+        };
+        for answers in [Solutions::None, Solutions::Alone, Solutions::AtEnd] {
+            let pages = pages(answers);
+            let feet: Vec<&String> = pages.iter().filter_map(|page| page.last()).collect();
+            assert!(feet.iter().all(|foot| foot.starts_with("Versão ")), "{feet:?}");
+            let has = |number: u64| feet.iter().any(|foot| **foot == format!("Versão {number}  ·  1"));
+            assert!((7..=9).all(has), "{feet:?}");
+            // No exercise is cut: its last line stands on the page of its title.
+            let first = &versions[0].exercises[0];
+            let title = format!("1. {}", said::exercise_title(Lang::PtBr, first));
+            let page = pages.iter().find(|page| page.contains(&title)).unwrap();
+            let (last, answer) = ("basis, semente 7".to_owned(), "b) →");
+            let alone = answers == Solutions::Alone;
+            assert_eq!(page.contains(&last), !alone, "{page:?}");
+            assert_eq!(page.iter().any(|text| text.starts_with(answer)), alone, "{page:?}");
+        }
     }
 }

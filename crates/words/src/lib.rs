@@ -69,6 +69,7 @@ mod pages {
     include!(concat!(env!("OUT_DIR"), "/pages.rs"));
 }
 
+pub mod class;
 pub mod command_line;
 pub mod handout;
 pub mod learn;

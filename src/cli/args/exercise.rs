@@ -1,13 +1,15 @@
 //! The arguments of `camera-lab exercise`.
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
-use super::words::{LangArg, TableFormat};
+use super::words::{DataFormat, LangArg, TableFormat};
 use crate::cli::Failure;
 use crate::exercises::Free;
 use crate::expression::{self, Dimension};
+use camera_lab_words::handout::MAX_VERSIONS;
 use camera_lab_words::learn::exercise_messages as said;
 use camera_lab_words::{Lang, command_line as texts, messages};
 
@@ -27,6 +29,8 @@ pub(in crate::cli) enum ExerciseCommand {
     Check(CheckArgs),
     /// Write a sheet to hand out
     Sheet(SheetArgs),
+    /// Read the progress of students, and report what they solved and which mistakes how many of them made
+    Report(ReportArgs),
 }
 
 #[derive(Debug, Args)]
@@ -45,7 +49,8 @@ pub(in crate::cli) struct ListArgs {
 /// The source of the numbers of an exercise.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct NumbersArgs {
-    /// A whole number from 0. The same seed gives the same numbers
+    /// A whole number from 0. The same seed gives the same numbers. A sheet also takes a range, such as 1-30, and has a
+    /// version for each seed then
     #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true)]
     seed: String,
     /// A number that the exercise leaves open, such as F=3 or D=24
@@ -104,15 +109,49 @@ pub(in crate::cli) struct SheetArgs {
     /// Include the answers and their solutions
     #[arg(long)]
     pub(in crate::cli) answers: bool,
+    /// File to write the answers and their solutions to, in the order of the versions: .pdf, .md or .tex
+    #[arg(long, value_name = "OUT2")]
+    pub(in crate::cli) solutions: Option<PathBuf>,
     /// File to write: .pdf, .md or .tex; beside the last two go images to match, as OUT-1.png if the first exercise
     /// has one
     #[arg(short, long, value_name = "OUT")]
     pub(in crate::cli) output: PathBuf,
 }
 
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ReportArgs {
+    /// Progress files (progress.toml) or the tables that the window exports, one for each student. A file without a
+    /// student's name belongs to the student whom it's named after
+    #[arg(required = true)]
+    pub(in crate::cli) files: Vec<PathBuf>,
+    /// Text to read, JSON for programs, or a table for spreadsheets
+    #[arg(long, value_enum, default_value_t)]
+    pub(in crate::cli) format: DataFormat,
+    /// File to write a page to print to: .pdf. Without it, the report goes to standard output
+    #[arg(short, long, value_name = "OUT.pdf")]
+    pub(in crate::cli) output: Option<PathBuf>,
+    /// Language of titles and messages
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(in crate::cli) lang: Option<LangArg>,
+}
+
 impl NumbersArgs {
     pub(in crate::cli) fn seed(&self, lang: Lang) -> Result<u64, Failure> {
         self.seed.trim().parse().map_err(|_| Failure::BadInput(texts::seed(lang, &self.seed)))
+    }
+
+    /// The seeds of the versions of a sheet, and true if they're a range.
+    pub(in crate::cli) fn seeds(&self, lang: Lang) -> Result<(RangeInclusive<u64>, bool), Failure> {
+        let Some((first, last)) = self.seed.split_once(['-', '–']).filter(|(first, _)| !first.trim().is_empty())
+        else {
+            let bad = |_| Failure::BadInput(said::seeds(lang, &self.seed, MAX_VERSIONS));
+            return self.seed.trim().parse().map(|seed| (seed..=seed, false)).map_err(bad);
+        };
+        let [first, last] = [first, last].map(|seed| seed.trim().parse::<u64>().ok());
+        let range =
+            first.zip(last).filter(|(first, last)| last.checked_sub(*first).is_some_and(|n| n < MAX_VERSIONS.into()));
+        let (first, last) = range.ok_or_else(|| Failure::BadInput(said::seeds(lang, &self.seed, MAX_VERSIONS)))?;
+        Ok((first..=last, true))
     }
 
     pub(in crate::cli) fn free(&self, lang: Lang) -> Result<Free, Failure> {

@@ -30,7 +30,7 @@ use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::Scene;
 use camera_lab_files::{self as files, FileError, share};
-use camera_lab_words::handout::{self, HandoutOptions, Scenes, views_of};
+use camera_lab_words::handout::{self, HandoutOptions, Scenes, Solutions, views_of};
 use camera_lab_words::learn::lessons as texts;
 use camera_lab_words::{Lang, command_line, messages, pictures};
 
@@ -308,7 +308,8 @@ fn faults_of_goal(
 fn write_handout(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(), Failure> {
     let columns = if args.per_page(lang)? > 2 { 2 } else { 1 };
     let written = written(args.which.lang);
-    let options = HandoutOptions { lang: written, columns, answers: args.answers, plan: args.plan, late: false };
+    let answers = if args.answers { Solutions::AtEnd } else { Solutions::None };
+    let options = HandoutOptions { lang: written, columns, answers, plan: args.plan, late: false };
     let mut scenes = Scenes::default();
     let draw = |step: (usize, &Step), size| composite(args, (found, &mut scenes), step, size, lang);
     let made = handout::of_lesson(&found.lesson, options, draw)?;

@@ -23,6 +23,7 @@ use crate::sanitize;
 use crate::scene::edit::Children;
 use camera_lab_desk::desk::Reply;
 use camera_lab_desk::{Intent, LineComparison, LineOrigin, Message, Model, Source};
+use camera_lab_words::class::{self, ClassReport};
 use camera_lab_words::learn::{exercise_window, lessons};
 use camera_lab_words::window::{self, Texts, canvas, gallery as gallery_words, scenes, sharing};
 
@@ -94,7 +95,12 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
 
 const fn width(dialog: &Dialog) -> f32 {
     match dialog {
-        Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link | Dialog::Title(_) => 520.0,
+        Dialog::Help
+        | Dialog::Class(_)
+        | Dialog::Delete { .. }
+        | Dialog::DeleteProgress
+        | Dialog::Link
+        | Dialog::Title(_) => 520.0,
         Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
         Dialog::Gallery => 1110.0,
         Dialog::Lessons => lesson::LIST_WIDTH,
@@ -150,6 +156,11 @@ fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog,
             asked_file(ctx, state, pressed, Purpose::Handout(form.clone()), Dialog::Handout(form))
         }
         Dialog::Lessons => lesson::list(ui, &mut state.model, &state.learn).then_some(Dialog::Lessons),
+        Dialog::Class(report) => {
+            let purpose = Purpose::For(camera_lab_desk::FileFor::ClassReport(report.clone()));
+            let pressed = class_report(ui, t, &report, first);
+            asked_file(ctx, state, pressed, purpose, Dialog::Class(report))
+        }
         Dialog::Help => help(ui, t, &state.model, first).then_some(Dialog::Help),
         Dialog::About => about(ui, t, first).then_some(Dialog::About),
         Dialog::Link => {
@@ -165,6 +176,22 @@ fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog,
     // An answer may have opened another one.
     state.file_flow.dialog = state.file_flow.dialog.take().or(stays);
     None
+}
+
+/// The report on a class.
+fn class_report(ui: &mut egui::Ui, t: &Texts, report: &ClassReport, first: bool) -> Pressed {
+    let words = class::texts(t.lang);
+    ui.heading(words.report);
+    let height = (ui.ctx().content_rect().height() - 160.0).clamp(120.0, 560.0);
+    egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
+        for (heading, lines) in report.sections(t.lang) {
+            ui.add_space(6.0);
+            ui.strong(heading);
+            lines.iter().for_each(|line| crate::gui::kit::prose::show(ui, line));
+        }
+    });
+    ui.add_space(10.0);
+    buttons(ui, t.cancel, &[words.save], first.then_some(0))
 }
 
 /// Asks for the file of a form. Returns the form if it stays.

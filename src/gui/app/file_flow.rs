@@ -40,6 +40,7 @@ use camera_lab_desk::{
     Document, ExportError, FileFor, Intent, MeshFor, Message, Model, NotExported, Source, Tab, Theirs,
 };
 use camera_lab_files::{self as files, FileError, Overwrite, disk};
+use camera_lab_words::class::ClassReport;
 
 /// Does what the user wants, after asking about all losses: text of a lesson that can't be saved, and changes of the
 /// figure. Every intent that replaces or closes a document comes through here.
@@ -228,7 +229,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             write(ctx, state, Save { with_files: true, ..Save::of(&state.model, path.to_owned(), agreed) });
         }
         Purpose::Export(_)
-        | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_) | FileFor::Progress)
+        | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_) | FileFor::Progress | FileFor::ClassReport(_))
         | Purpose::Handout(_)
         | Purpose::Step
         | Purpose::NewLesson
@@ -272,6 +273,15 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Handout(form) => {
             let what = ExportKind::Handout(Box::new(form.job(&state.learn)));
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
+        }
+        Purpose::For(FileFor::Class) => match ClassReport::of_folder(path, state.model.settings.lang) {
+            Ok(report) => state.file_flow.dialog = Some(Dialog::Class(Box::new(report))),
+            Err(error) => state.model.say(Message::File(path.to_owned(), error)),
+        },
+        Purpose::For(FileFor::ClassReport(report)) => {
+            let bytes = report.file(path, state.model.settings.lang);
+            let bytes = bytes.ok_or_else(|| FileError::Write(std::io::ErrorKind::InvalidInput.into()));
+            save_bytes(&mut state.model, path, bytes, &agreed);
         }
         Purpose::For(FileFor::Exercises) => state.learn.exercises.look_into(Some(path.to_owned())),
         Purpose::Folder => {

@@ -29,6 +29,7 @@ use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
 use camera_lab_desk::{ChartFile, ExportError, Job, Model, Running, Shortfall, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileError, LeftOut, Overwrite};
+use camera_lab_words::learn::lessons;
 use camera_lab_words::{Lang, pictures};
 
 /// The export settings: pictures, size, theme.
@@ -380,8 +381,11 @@ impl Task {
         let export = match what {
             ExportKind::Pictures(export) => export,
             ExportKind::Handout(job) => {
-                let bytes = job.pdf(progress).await?;
-                return Ok((PictureFile { bytes, beside: None, over_budget: None, no_areas: None }, None));
+                let (bytes, solutions) = job.pdfs(progress).await?;
+                let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+                let name = format!("{stem}-{}.pdf", lessons::texts(job.options.lang).solutions.to_lowercase());
+                let beside = solutions.map(|bytes| Beside { name, bytes });
+                return Ok((PictureFile { bytes, beside, over_budget: None, no_areas: None }, None));
             }
             ExportKind::Animation(decomposition, _) => {
                 let film = Animation {

@@ -60,15 +60,24 @@ pub struct HandoutEntry {
     pub paragraphs: Vec<Paragraph>,
 }
 
+/// Entries that begin on a page of their own.
+#[derive(Clone, Debug)]
+pub struct HandoutPart {
+    /// The title above its first entry.
+    pub title: String,
+    /// The text at the foot of each of its pages, beside the number. May be empty.
+    pub foot: String,
+    /// In the order of the pages.
+    pub entries: Vec<HandoutEntry>,
+}
+
 /// Pictures with texts, on pages.
 #[derive(Clone, Debug)]
 pub struct Handout {
-    /// The title on the first page.
-    pub title: String,
     /// The language, as a tag.
     pub language: &'static str,
-    /// In the order of the pages.
-    pub entries: Vec<HandoutEntry>,
+    /// In the order of the pages. The pages of each foot are counted from 1.
+    pub parts: Vec<HandoutPart>,
     /// The number of columns. Two make entries small, and they stand side by side in rows, four on a page.
     pub columns: usize,
 }
@@ -95,11 +104,26 @@ impl Handout {
     pub async fn pages(&self, progress: &Progress) -> Result<Vec<Page>, PictureError> {
         let width = Self::picture_width(self.columns);
         let mut pages = Pages::new(self, width);
-        pages.title(&self.title);
         let size = if self.columns > 1 { 8.5 } else { 10.0 };
-        let (mut row, mut known) = (Vec::new(), KnownPictures::new());
+        let mut known = KnownPictures::new();
+        for part in &self.parts {
+            pages.begin(part);
+            self.part(part, &mut pages, (size, width), &mut known, progress).await?;
+        }
+        Ok(pages.finish())
+    }
+
+    async fn part(
+        &self,
+        part: &HandoutPart,
+        pages: &mut Pages<'_>,
+        (size, width): (f32, f32),
+        known: &mut KnownPictures,
+        progress: &Progress,
+    ) -> Result<(), PictureError> {
+        let mut row = Vec::new();
         let (faces, dpi) = if self.has_many_pictures() { (Faces::Picture, DPI_OF_MANY) } else { (Faces::Auto, DPI) };
-        for entry in &self.entries {
+        for entry in &part.entries {
             let Some(sheet) = &entry.picture else {
                 pages.put_row(std::mem::take(&mut row));
                 pages.flow(&entry.paragraphs, size);
@@ -107,7 +131,7 @@ impl Handout {
             };
             let mut block = PlacedEntry { items: Vec::new(), height: 0.0, width };
             let per_inch = 72.0 * f64::from(sheet.size().ok_or(PictureError::TooLarge)?[0]) / f64::from(width);
-            let drawn = page(sheet, (faces, &mut known), [per_inch, dpi], false, progress).await?;
+            let drawn = page(sheet, (faces, known), [per_inch, dpi], false, progress).await?;
             block.picture(drawn.page);
             let fits = block.texts(&entry.paragraphs, size);
             row.push(block);
@@ -119,13 +143,14 @@ impl Handout {
             }
         }
         pages.put_row(row);
-        Ok(pages.finish())
+        Ok(())
     }
 
     /// True if it has more than [`MOST_WITH_AREAS`] different pictures.
     fn has_many_pictures(&self) -> bool {
         let mut different: Vec<&Request> = Vec::new();
-        let sheets = self.entries.iter().filter_map(|entry| entry.picture.as_ref());
+        let entries = self.parts.iter().flat_map(|part| &part.entries);
+        let sheets = entries.filter_map(|entry| entry.picture.as_ref());
         for request in sheets.flat_map(|sheet| &sheet.requests) {
             if different.len() <= MOST_WITH_AREAS && !different.contains(&request) {
                 different.push(request);
@@ -237,6 +262,10 @@ fn lines(text: &str, size: f32, width: f32) -> Vec<String> {
 /// The pages, filled row after row.
 struct Pages<'a> {
     handout: &'a Handout,
+    /// The title and the foot of the present part, and the number of its foot's pages so far.
+    title: &'a str,
+    foot: &'a str,
+    number: usize,
     done: Vec<Page>,
     items: Vec<Item>,
     width: f32,
@@ -248,11 +277,20 @@ struct Pages<'a> {
 
 impl<'a> Pages<'a> {
     fn new(handout: &'a Handout, width: f32) -> Self {
-        Self { handout, done: Vec::new(), items: Vec::new(), width, y: BORDER, rows: 0 }
+        let [title, foot] = [""; 2];
+        Self { handout, title, foot, number: 0, done: Vec::new(), items: Vec::new(), width, y: BORDER, rows: 0 }
     }
 
-    fn title(&mut self, title: &str) {
-        for line in lines(title, 16.0, PAPER[0] - 2.0 * BORDER) {
+    /// Begins a part on a new page.
+    fn begin(&mut self, part: &'a HandoutPart) {
+        if !self.items.is_empty() {
+            self.turn();
+        }
+        if part.foot != self.foot {
+            self.number = 0;
+        }
+        (self.title, self.foot) = (&part.title, &part.foot);
+        for line in lines(&part.title, 16.0, PAPER[0] - 2.0 * BORDER) {
             self.y += 1.3 * 16.0;
             self.items.push(written(line, [BORDER, self.y - 5.0], 16.0, INK));
         }
@@ -284,7 +322,8 @@ impl<'a> Pages<'a> {
         self.y += height + GAP;
     }
 
-    /// Puts texts across the whole page. They continue on the next one. A heading stays with the text below it.
+    /// Puts texts across the whole page. They stay on one page if they aren't higher than it. Otherwise they continue
+    /// on the next one, and a heading stays with the text below it.
     fn flow(&mut self, paragraphs: &[Paragraph], size: f32) {
         let width = PAPER[0] - 2.0 * BORDER;
         let block = |paragraph: &Paragraph| {
@@ -301,6 +340,10 @@ impl<'a> Pages<'a> {
             paragraph => vec![paragraph.clone()],
         };
         let paragraphs: Vec<Paragraph> = paragraphs.iter().flat_map(in_lines).collect();
+        let height: f32 = paragraphs.iter().map(|paragraph| block(paragraph).height).sum();
+        if height <= room {
+            self.make_room(height);
+        }
         for (k, paragraph) in paragraphs.iter().enumerate() {
             let PlacedEntry { items, height, .. } = block(paragraph);
             // The first lines of an entry stay together.
@@ -321,14 +364,16 @@ impl<'a> Pages<'a> {
     }
 
     fn turn(&mut self) {
-        let number = (self.done.len() + 1).to_string();
+        self.number += 1;
         let place = [PAPER[0] / 2.0, PAPER[1] - 0.55 * BORDER];
-        self.items.push(Item::text(number, place, 9.0, FAINT, Anchor::Center));
+        let number = self.number.to_string();
+        let foot = if self.foot.is_empty() { number } else { format!("{}  ·  {number}", self.foot) };
+        self.items.push(Item::text(foot, place, 9.0, FAINT, Anchor::Center));
         self.done.push(Page {
             size: PAPER,
             points: 1.0,
-            title: self.handout.title.clone(),
-            description: self.handout.title.clone(),
+            title: self.title.to_owned(),
+            description: self.title.to_owned(),
             language: self.handout.language,
             items: std::mem::take(&mut self.items),
         });
@@ -365,7 +410,8 @@ mod tests {
             HandoutEntry { picture, paragraphs: vec![Paragraph::Heading("Word".to_owned())] }
         };
         let entries = figures.iter().map(entry).collect();
-        let handout = Handout { title: "A".to_owned(), language: "en", entries, columns: 1 };
+        let parts = vec![HandoutPart { title: "A".to_owned(), foot: String::new(), entries }];
+        let handout = Handout { language: "en", parts, columns: 1 };
         at_once(handout.pdf(&Progress::default())).unwrap()
     }
 

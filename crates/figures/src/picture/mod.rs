@@ -39,7 +39,7 @@ pub use error::PictureError;
 pub use export_spec::ExportSpec;
 pub use family::{Family, SheetSize, have_same_scene, members};
 pub use file::{Beside, FileOptions, Metadata, PER_INCH, PictureFile, assembled, file, file_beside};
-pub use handout::{Handout, HandoutEntry, Paragraph};
+pub use handout::{Handout, HandoutEntry, HandoutPart, Paragraph};
 pub use handout_formula::FormulaPart;
 pub use render_report::RenderReport;
 pub use renderer::Renderer;

@@ -49,6 +49,7 @@ pub use mistakes::nature::Nature;
 pub use mistakes::slip::{Cause, Slip, Slips};
 pub use own_numbers::OwnNumbers;
 pub use own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
+pub use progress::class;
 pub use progress::{Guess, MANY_WRONG, Made, Next, Progress, ProgressError, Stage, Tried, Why};
 pub use subject::{Subject, place_of};
 pub use value::Table;

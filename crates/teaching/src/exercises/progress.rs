@@ -4,6 +4,8 @@
 
 mod text;
 
+pub mod class;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use toml_edit::DocumentMut;
@@ -20,6 +22,8 @@ pub struct Progress {
     exercises: BTreeMap<String, Tried>,
     mistakes: BTreeMap<Mistake, Made>,
     guesses: BTreeMap<String, Guess>,
+    /// The name of the student, for a lecturer who gets the file.
+    pub student: Option<String>,
     /// The file as read, which keeps unknown keys.
     rest: DocumentMut,
 }
@@ -49,6 +53,8 @@ pub struct Tried {
     pub right: BTreeSet<String>,
     /// The mistakes made.
     pub mistakes: BTreeSet<Mistake>,
+    /// The mistakes ever made, whatever the numbers.
+    pub made: BTreeSet<Mistake>,
     /// All questions have been answered rightly.
     pub is_solved: bool,
 }
@@ -208,8 +214,8 @@ impl Progress {
     pub fn begin(&mut self, id: &str, seed: u64) {
         let kept = self.of(id);
         let Tried { tries, solved, alone, solved_at, last, .. } = *kept;
-        let helped = std::mem::take(&mut kept.helped);
-        *kept = Tried { seed, tries, solved, alone, solved_at, last, helped, ..Tried::default() };
+        let (helped, made) = (std::mem::take(&mut kept.helped), std::mem::take(&mut kept.made));
+        *kept = Tried { seed, tries, solved, alone, solved_at, last, helped, made, ..Tried::default() };
     }
 
     /// Records the judgement of an answer to an exercise at a time.
@@ -226,6 +232,7 @@ impl Progress {
         let known = judged.diagnosis.iter().filter(|diagnosis| diagnosis.others.is_empty());
         for Cause { mistake, .. } in known.flat_map(|diagnosis| &diagnosis.causes) {
             tried.mistakes.insert(*mistake);
+            tried.made.insert(*mistake);
             let made = self.mistakes.entry(*mistake).or_insert_with(|| Made {
                 times: 0,
                 last: now,
@@ -317,30 +324,31 @@ impl Progress {
         }
     }
 
-    /// A table for spreadsheets: a row for each exercise and one for each known mistake.
+    /// A table for spreadsheets: a row for each exercise, and one for each known mistake in each exercise.
     pub fn to_csv(&self) -> String {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        let mut row = |cells: [String; 8]| {
+        let student = self.student.as_deref().unwrap_or_default();
+        let mut row = |cells: [&str; 11]| {
             // Writing to memory can't fail, and all rows have the same length.
             let _ = writer.write_record(cells);
         };
-        row(["kind", "name", "tries", "solved", "last", "seed", "hints", "open"].map(str::to_owned));
+        row(["kind", "name", "tries", "solved", "last", "seed", "hints", "open", "alone", "exercise", "student"]);
         for (id, tried) in &self.exercises {
-            let last = tried.last.map(date).unwrap_or_default();
             let hints: u64 = tried.hints.values().map(|hints| u64::from(*hints)).sum();
-            let [tries, solved] = [tried.tries, tried.solved].map(|count| count.to_string());
-            let (seed, hints) = (tried.seed.to_string(), hints.to_string());
-            row(["exercise".to_owned(), id.clone(), tries, solved, last, seed, hints, String::new()]);
+            let [tries, solved, alone] = [tried.tries, tried.solved, tried.alone].map(|count| count.to_string());
+            let (last, seed, hints) =
+                (tried.last.map(date).unwrap_or_default(), tried.seed.to_string(), hints.to_string());
+            row(["exercise", id, &tries, &solved, &last, &seed, &hints, "", &alone, "", student]);
         }
         for (mistake, made) in &self.mistakes {
-            let (name, open) = (mistake.code().to_owned(), made.is_open.to_string());
-            let (times, none) = (made.times.to_string(), String::new);
-            row(["mistake".to_owned(), name, times, none(), date(made.last), none(), none(), open]);
+            let (times, last, open) = (made.times.to_string(), date(made.last), made.is_open.to_string());
+            row(["mistake", mistake.code(), &times, "", &last, "", "", &open, "", &made.exercise, student]);
+            let others =
+                self.exercises.iter().filter(|(id, tried)| **id != made.exercise && tried.made.contains(mistake));
+            others.for_each(|(id, _)| row(["mistake", mistake.code(), "", "", "", "", "", "", "", id, student]));
         }
         for (id, guess) in &self.guesses {
-            let none = String::new;
-            let (solved, last) = (u8::from(guess.right).to_string(), date(guess.at));
-            row(["guess".to_owned(), id.clone(), "1".to_owned(), solved, last, none(), none(), none()]);
+            row(["guess", id, "1", if guess.right { "1" } else { "0" }, &date(guess.at), "", "", "", "", "", student]);
         }
         let bytes = writer.into_inner().unwrap_or_default();
         String::from_utf8(bytes).unwrap_or_default()

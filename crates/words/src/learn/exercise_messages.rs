@@ -50,8 +50,30 @@ texts_with_values! {
     /// The progress is deleted, and still in the file at `path`.
     progress_deleted(lang, path: &str);
 
+    /// The name of a version of a sheet.
+    version(lang, number: u64);
+
+    /// `--seed` that isn't a range of seeds of a sheet.
+    seeds(lang, text: &str, most: u32): (text = escaped(text), most);
+
     /// The place of a point in the image, in whole pixels.
     lands(lang, place: [f64; 2]): (pixel = lang.mark().tuple(&place.map(f64::floor), 5));
+}
+
+/// Markdown without its marks, and mathematics in a line.
+pub fn plain(markdown: &str) -> String {
+    let part =
+        |(k, part): (usize, &str)| if k % 2 == 1 { crate::why::notes::plain(part) } else { part.replace("**", "") };
+    markdown.split('$').enumerate().map(part).collect()
+}
+
+/// An exercise's identifier with the seed of its numbers, or the remark that they're the same for everybody.
+pub fn source_of_numbers(lang: Lang, exercise: &Exercise) -> String {
+    if crate::exercises::entry(&exercise.id).is_some_and(|entry| entry.is_family) {
+        format!("{}, {} {}", exercise.id, texts(lang).seed, exercise.seed)
+    } else {
+        format!("{}, {}", exercise.id, text!(lang, same_for_everybody))
+    }
 }
 
 /// The reason why a file was skipped, if others were too.

@@ -10,94 +10,178 @@ texts!("learn/exercise_sheet");
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;
 
-/// The name of the file with the picture of an exercise that has one, by its number from 1.
-pub type PictureOf<'a> = &'a dyn Fn(usize) -> String;
+/// The most versions of a sheet.
+pub const MAX_VERSIONS: u32 = 200;
+
+/// The solutions of a handout.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solutions {
+    /// It has none.
+    None,
+    /// On pages of their own at its end.
+    AtEnd,
+    /// It consists of them.
+    Alone,
+}
+
+/// Exercises that belong together, with their numbers.
+#[derive(Clone, Debug)]
+pub struct Version {
+    /// Its number, if there are several.
+    pub number: Option<u64>,
+    /// In the order of the sheet.
+    pub exercises: Vec<Exercise>,
+}
+
+impl Version {
+    /// "Version 7", or nothing if it has no number.
+    pub fn name(&self, lang: Lang) -> String {
+        self.number.map_or_else(String::new, |number| exercise_messages::version(lang, number))
+    }
+}
+
+/// The name of the file with the picture of an exercise that has one, by its version and its number from 1.
+pub type PictureOf<'a> = &'a dyn Fn(&Version, usize) -> String;
+
+/// The versions of a sheet, each with its exercises in Markdown or LaTeX. With [`Solutions::Alone`], only the answers.
+type Versions<'a> = (&'a [Version], Solutions);
 
 /// A sheet in Markdown.
-pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
+pub fn markdown(lang: Lang, (versions, solutions): Versions<'_>, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
-    let mut text = format!("# {}\n\n{}: ____________________  {}: ____________\n", t.exercises, t.name, t.date);
-    for (number, exercise) in sheet.iter().enumerate() {
-        text.push_str(&format!("\n## {}. {}\n\n", number + 1, of_words(exercises::exercise_title(lang, exercise))));
-        for paragraph in exercises::statement(lang, exercise) {
-            text.push_str(&format!("{}\n\n", inert(&set(&paragraph))));
+    let alone = solutions == Solutions::Alone;
+    let mut text = String::new();
+    for version in versions {
+        let (title, name) = (if alone { t.answers } else { t.exercises }, version.name(lang));
+        let before = if text.is_empty() { "" } else { "\n---\n\n" };
+        let dash = if name.is_empty() { "" } else { " – " };
+        text.push_str(&format!("{before}# {title}{dash}{name}\n"));
+        if !alone {
+            text.push_str(&format!("\n{}: ____________________  {}: ____________\n", t.name, t.date));
         }
-        if exercise.figure_to_match().is_some() {
-            text.push_str(&format!("![{}]({})\n\n", t.target, picture(number + 1)));
-        }
-        for assumption in exercises::assumptions(lang, exercise) {
-            text.push_str(&format!("> {}\n>\n", inert(&set(&assumption))));
-        }
-        for (letter, ask) in ('a'..).zip(&exercise.asks) {
-            let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
-            text.push_str(&format!("\n**{letter})** {} — *{}*\n", inert(&set(&asked)), of_words(&kind)));
-        }
-        text.push_str(&format!("\n<small>{}, {} {}</small>\n", exercise.id, t.seed, exercise.seed));
-        if with_answers {
-            text.push_str(&format!("\n### {}\n", t.answers));
-            let style = Style { notation: Notation::Latex, mark: lang.mark(), digits: DIGITS };
-            for ((letter, ask), steps) in ('a'..).zip(&exercise.asks).zip(exercise.new_steps()) {
-                text.push_str(&format!("\n**{letter})** {}\n", of_words(&answer(lang, ask))));
-                for step in &steps {
-                    text.push_str(&format!("\n{}\n", set(&exercises::step_heading(lang, exercise, step))));
-                    let lines = step.lines(style, true);
-                    if !lines.is_empty() {
-                        text.push_str(&format!("\n$$\n\\begin{{aligned}}\n{}\n\\end{{aligned}}\n$$\n", rows(&lines)));
-                    }
-                }
+        for (number, exercise) in (1..).zip(&version.exercises) {
+            text.push_str(&format!("\n## {number}. {}\n", of_words(exercises::exercise_title(lang, exercise))));
+            if !alone {
+                asked_in_markdown(&mut text, lang, exercise, &picture(version, number));
+            }
+            if solutions != Solutions::None {
+                solved_in_markdown(&mut text, lang, exercise, alone);
             }
         }
     }
     text
 }
 
-/// A sheet in LaTeX, which compiles with only amsmath and amssymb, and graphicx if it has pictures.
-pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
+fn asked_in_markdown(text: &mut String, lang: Lang, exercise: &Exercise, picture: &str) {
     let t = exercise_messages::texts(lang);
-    let babel = text!(lang, latex);
-    let has_pictures = sheet.iter().any(|exercise| exercise.figure_to_match().is_some());
+    text.push('\n');
+    for paragraph in exercises::statement(lang, exercise) {
+        text.push_str(&format!("{}\n\n", inert(&set(&paragraph))));
+    }
+    if exercise.figure_to_match().is_some() {
+        text.push_str(&format!("![{}]({picture})\n\n", t.target));
+    }
+    for assumption in exercises::assumptions(lang, exercise) {
+        text.push_str(&format!("> {}\n>\n", inert(&set(&assumption))));
+    }
+    for (letter, ask) in ('a'..).zip(&exercise.asks) {
+        let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
+        text.push_str(&format!("\n**{letter})** {} — *{}*\n", inert(&set(&asked)), of_words(&kind)));
+    }
+    text.push_str(&format!("\n<small>{}</small>\n", exercise_messages::source_of_numbers(lang, exercise)));
+}
+
+fn solved_in_markdown(text: &mut String, lang: Lang, exercise: &Exercise, alone: bool) {
+    if !alone {
+        text.push_str(&format!("\n### {}\n", exercise_messages::texts(lang).answers));
+    }
+    let style = Style { notation: Notation::Latex, mark: lang.mark(), digits: DIGITS };
+    for ((letter, ask), steps) in ('a'..).zip(&exercise.asks).zip(exercise.new_steps()) {
+        text.push_str(&format!("\n**{letter})** {}\n", of_words(&answer(lang, ask))));
+        for step in &steps {
+            text.push_str(&format!("\n{}\n", set(&exercises::step_heading(lang, exercise, step))));
+            let lines = step.lines(style, true);
+            if !lines.is_empty() {
+                text.push_str(&format!("\n$$\n\\begin{{aligned}}\n{}\n\\end{{aligned}}\n$$\n", rows(&lines)));
+            }
+        }
+    }
+}
+
+/// A sheet in LaTeX, which compiles with only amsmath and amssymb, and graphicx if it has pictures.
+pub fn latex(lang: Lang, (versions, solutions): Versions<'_>, picture: PictureOf<'_>) -> String {
+    let t = exercise_messages::texts(lang);
+    let (babel, alone) = (text!(lang, latex), solutions == Solutions::Alone);
+    let mut all = versions.iter().flat_map(|version| &version.exercises);
+    let has_pictures = !alone && all.any(|exercise| exercise.figure_to_match().is_some());
     let graphics = if has_pictures { "\\usepackage{graphicx}\n" } else { "" };
     let mut text = format!(
         "\\documentclass[a4paper,11pt]{{article}}\n\\usepackage[T1]{{fontenc}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[{babel}]{{babel}}\n\
-         \\usepackage{{amsmath,amssymb}}\n{graphics}\\usepackage[margin=2cm]{{geometry}}\n\\allowdisplaybreaks\n\\begin{{document}}\n\\section*{{{}}}\n\
-         \\noindent {}: \\underline{{\\hspace{{6cm}}}}\\quad {}: \\underline{{\\hspace{{3cm}}}}\n",
-        t.exercises, t.name, t.date
+         \\usepackage{{amsmath,amssymb}}\n{graphics}\\usepackage[margin=2cm]{{geometry}}\n\\allowdisplaybreaks\n\\begin{{document}}\n",
     );
-    for (number, exercise) in sheet.iter().enumerate() {
-        let title = formula::words(exercises::exercise_title(lang, exercise));
-        text.push_str(&format!("\n\\subsection*{{{}. {title}}}\n", number + 1));
-        for paragraph in exercises::statement(lang, exercise) {
-            text.push_str(&format!("{}\n\n", of_markdown(&paragraph)));
+    for version in versions {
+        if version.number.is_some() {
+            let foot = version.name(lang);
+            text.push_str(&format!(
+                "\n\\clearpage\\setcounter{{page}}{{1}}\n\\makeatletter\\def\\@oddfoot{{\\hfil {foot} $\\cdot$ \\thepage\\hfil}}\\makeatother\n"
+            ));
         }
-        if exercise.figure_to_match().is_some() {
-            let file = picture(number + 1);
-            text.push_str(&format!("\\begin{{center}}\\includegraphics[width=8cm]{{{file}}}\\end{{center}}\n\n"));
+        text.push_str(&format!("\\section*{{{}}}\n", if alone { t.answers } else { t.exercises }));
+        if !alone {
+            text.push_str(&format!(
+                "\\noindent {}: \\underline{{\\hspace{{6cm}}}}\\quad {}: \\underline{{\\hspace{{3cm}}}}\n",
+                t.name, t.date
+            ));
         }
-        let assumptions = exercises::assumptions(lang, exercise);
-        if !assumptions.is_empty() {
-            text.push_str("\\begin{quote}\\small\n");
-            for assumption in assumptions {
-                text.push_str(&format!("{}\n\n", of_markdown(&assumption)));
+        for (number, exercise) in (1..).zip(&version.exercises) {
+            let title = formula::words(exercises::exercise_title(lang, exercise));
+            text.push_str(&format!("\n\\subsection*{{{number}. {title}}}\n"));
+            if !alone {
+                asked_in_latex(&mut text, lang, exercise, &picture(version, number));
             }
-            text.push_str("\\end{quote}\n");
-        }
-        text.push_str("\\begin{enumerate}\n");
-        for ask in &exercise.asks {
-            let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
-            text.push_str(&format!("\\item {} \\emph{{({})}}\n", of_markdown(&asked), formula::words(&kind)));
-        }
-        text.push_str("\\end{enumerate}\n");
-        text.push_str(&format!("{{\\footnotesize {}, {} {}}}\n", formula::words(&exercise.id), t.seed, exercise.seed));
-        if with_answers {
-            text.push_str(&format!("\n\\paragraph{{{}}}\n\\begin{{enumerate}}\n", t.answers));
-            for (ask, steps) in exercise.asks.iter().zip(exercise.new_steps()) {
-                text.push_str(&format!("\\item {}\n", latex_answer(lang, exercise, ask, &steps)));
+            if solutions != Solutions::None {
+                solved_in_latex(&mut text, lang, exercise, alone);
             }
-            text.push_str("\\end{enumerate}\n");
         }
     }
     text.push_str("\\end{document}\n");
     text
+}
+
+fn asked_in_latex(text: &mut String, lang: Lang, exercise: &Exercise, picture: &str) {
+    for paragraph in exercises::statement(lang, exercise) {
+        text.push_str(&format!("{}\n\n", of_markdown(&paragraph)));
+    }
+    if exercise.figure_to_match().is_some() {
+        text.push_str(&format!("\\begin{{center}}\\includegraphics[width=8cm]{{{picture}}}\\end{{center}}\n\n"));
+    }
+    let assumptions = exercises::assumptions(lang, exercise);
+    if !assumptions.is_empty() {
+        text.push_str("\\begin{quote}\\small\n");
+        for assumption in assumptions {
+            text.push_str(&format!("{}\n\n", of_markdown(&assumption)));
+        }
+        text.push_str("\\end{quote}\n");
+    }
+    text.push_str("\\begin{enumerate}\n");
+    for ask in &exercise.asks {
+        let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
+        text.push_str(&format!("\n\\item {} \\emph{{({})}}\n", of_markdown(&asked), formula::words(&kind)));
+    }
+    text.push_str("\\end{enumerate}\n");
+    let numbers = formula::words(&exercise_messages::source_of_numbers(lang, exercise));
+    text.push_str(&format!("{{\\footnotesize {numbers}}}\n"));
+}
+
+fn solved_in_latex(text: &mut String, lang: Lang, exercise: &Exercise, alone: bool) {
+    if !alone {
+        text.push_str(&format!("\n\\paragraph{{{}}}", exercise_messages::texts(lang).answers));
+    }
+    text.push_str("\n\\begin{enumerate}\n");
+    for (ask, steps) in exercise.asks.iter().zip(exercise.new_steps()) {
+        text.push_str(&format!("\\item {}\n", latex_answer(lang, exercise, ask, &steps)));
+    }
+    text.push_str("\\end{enumerate}\n");
 }
 
 /// The right answer, in typed form.

@@ -21,6 +21,7 @@ use crate::views::{Arrangement, View};
 use camera_lab_desk::settings::Settings;
 use camera_lab_desk::{Intent, Message, Model, ObserverChange, Panels, Side, layout};
 use camera_lab_files::{self as files, Overwrite};
+use camera_lab_words::class;
 use camera_lab_words::learn::{handouts, lessons};
 use camera_lab_words::window::{Texts, cameras, canvas, compare, labels, sharing};
 
@@ -107,6 +108,10 @@ pub const MENUS: &[Menu] = &[
                 row!(Handout, ctrl(Key::P), handouts::handout, handout_hint, |s, _| show_handout(s, true))
                     .browsers_keys(),
                 row!(ExerciseSheet, alt(Key::K), handouts::sheet, sheet_hint, |s, _| show_handout(s, false)),
+                row!(Class, alt(Key::U), class::class, class_hint, |s, ctx| {
+                    file_flow::ask(ctx, s, Purpose::For(camera_lab_desk::FileFor::Class));
+                })
+                .not_in_browser(),
                 row!(CopyLink, ctrl(Key::K), sharing::copy_link, copy_link_hint, |s, _| s.file_flow.show(Dialog::Link)),
             ],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, Intent::Quit))

@@ -8,6 +8,7 @@ use crate::gui::app::state::State;
 use crate::gui::platform::native::{FileQuestion, Wanted};
 use crate::scene::import::MESH_ENDINGS;
 use camera_lab_desk::FileFor;
+use camera_lab_words::class;
 use camera_lab_words::file_names::name_of_title;
 use camera_lab_words::learn::{exercise_window, handouts, lessons};
 use camera_lab_words::why::explain;
@@ -119,6 +120,16 @@ impl FileKind {
             }
             Purpose::Folder => folder(gallery::texts(lang).choose),
             Purpose::For(FileFor::Exercises) => folder(exercises.own_open),
+            Purpose::For(FileFor::Class) => folder(class::texts(lang).choose),
+            Purpose::For(FileFor::ClassReport(_)) => {
+                let t = class::texts(lang);
+                let filters = [("PDF", &["pdf"][..]), ("CSV", &["csv"]), ("JSON", &["json"])];
+                new_file(
+                    t.report,
+                    filters.map(|(name, endings)| (name.to_owned(), endings)).to_vec(),
+                    t.file.to_owned(),
+                )
+            }
         };
         let last = state.recent.files.first().filter(|_| !state.model.in_browser && wanted == Wanted::NewFile);
         let folder = state.model.desk.shown.folder().or_else(|| last.and_then(|path| path.parent()));

@@ -14,6 +14,7 @@ use crate::gui::learn::handout::form::HandoutForm;
 use crate::gui::learn::handout::pages::PagesPreview;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
 use camera_lab_desk::{FileFor, LineComparison, Message, NewsList, Revision, Running, Theirs, Watch};
+use camera_lab_words::class::ClassReport;
 use camera_lab_words::window::{self, scenes};
 
 /// The purpose of a file.
@@ -53,7 +54,10 @@ impl Purpose {
     pub(in crate::gui) fn is_about_figure(&self) -> bool {
         !matches!(
             self,
-            Self::Open | Self::Folder | Self::For(FileFor::Progress | FileFor::Exercises) | Self::Handout(_)
+            Self::Open
+                | Self::Folder
+                | Self::For(FileFor::Progress | FileFor::Exercises | FileFor::Class | FileFor::ClassReport(_))
+                | Self::Handout(_)
         )
     }
 }
@@ -134,6 +138,8 @@ pub enum Dialog {
     Link,
     /// The lessons.
     Lessons,
+    /// The report on a class.
+    Class(Box<ClassReport>),
     /// The link as a QR code.
     Qr,
 }
@@ -267,6 +273,7 @@ impl Dialog {
             | Self::Search
             | Self::Link
             | Self::Lessons
+            | Self::Class(_)
             | Self::Qr => false,
         }
     }

@@ -3,14 +3,15 @@
 use eframe::egui::{self, RichText, Ui};
 
 use crate::exercises::{Made, Mistake};
-use crate::gui::kit::{Explained, prose};
+use crate::gui::kit::{Explained, KeptLine, prose};
 use crate::gui::learn::Learn;
+use crate::gui::learn::exercises::state::Done;
 use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_words::learn::exercise_window::Texts;
 use camera_lab_words::learn::exercises as said;
 
 /// The foot of the list.
-pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &Learn) {
+pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
     ui.add_space(6.0);
     ui.separator();
     egui::CollapsingHeader::new(t.progress).id_salt("progress").show(ui, |ui| {
@@ -26,6 +27,18 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &Lear
         ui.add_space(4.0);
         mistakes(ui, t, learn);
         ui.add_space(4.0);
+        ui.horizontal(|ui| {
+            let label = ui.label(t.student);
+            let old = learn.exercises.progress.student.clone().unwrap_or_default();
+            let (id, most, width) =
+                (ui.scope_id().with("student"), crate::limits::MAX_TYPED_NAME, ui.available_width() - 12.0);
+            let field = KeptLine { id, old: &old, most, width };
+            let (response, name) = field.show(ui, t.lang, |name| Ok::<_, std::convert::Infallible>(name.to_owned()));
+            response.labelled_by(label.id).explained(t.student_hint);
+            if let Some(Ok(name)) = name {
+                learn.exercises.note(Done::Named(name));
+            }
+        });
         ui.horizontal_wrapped(|ui| {
             let has_some = !learn.exercises.progress.is_empty();
             let export = ui.add_enabled(has_some, egui::Button::new(t.export_progress));

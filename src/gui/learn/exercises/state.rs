@@ -73,6 +73,8 @@ pub(in crate::gui) enum Done {
     WasSolved(String),
     /// A guess at a question of a lesson.
     Guessed(String, Guess),
+    /// The student's name.
+    Named(String),
 }
 
 impl Done {
@@ -84,6 +86,7 @@ impl Done {
             Self::NumbersChanged(id) => progress.numbers_changed(id),
             Self::WasSolved(id) => progress.was_solved(id),
             Self::Guessed(id, guess) => progress.guessed(id, guess.clone()),
+            Self::Named(name) => progress.student = Some(name.clone()).filter(|name| !name.is_empty()),
         }
     }
 }

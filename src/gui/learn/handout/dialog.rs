@@ -9,6 +9,7 @@ use crate::gui::learn::handout::pages::PagesPreview;
 use crate::lessons::{OpenLesson, shipped};
 use camera_lab_desk::Model;
 use camera_lab_words::file_names::name_of_title;
+use camera_lab_words::handout::{MAX_VERSIONS, Solutions};
 use camera_lab_words::learn::handouts::{Texts, texts};
 use camera_lab_words::learn::{exercises, lessons as words};
 use camera_lab_words::{Lang, told, window};
@@ -80,7 +81,9 @@ fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut Han
             ui.selectable_value(&mut options.lang, lang, lang.name());
         }
     });
-    ui.checkbox(&mut options.answers, t.answers).explained(t.answers_hint);
+    let mut has_answers = options.answers != Solutions::None;
+    ui.checkbox(&mut has_answers, t.answers).explained(t.answers_hint);
+    options.answers = if has_answers { Solutions::AtEnd } else { Solutions::None };
     match &mut form.lesson {
         Some(open) => {
             ui.checkbox(&mut options.late, t.late).explained(t.late_hint);
@@ -100,12 +103,21 @@ fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut Han
         None => {
             (options.plan, options.columns) = (false, 1);
             ui.horizontal(|ui| {
-                ui.label(t.numbers);
-                let mut seed = f64::from(form.seed);
-                let field = NumberField::new(t.numbers, Step::Add(1.0)).whole().within(0.0..=f64::from(MAX_SEED));
                 let shown = window::texts(model.settings.lang);
-                field.width(60.0).hint(t.numbers_hint).show(ui, shown, &mut seed);
-                form.seed = whole(seed);
+                let field = |ui: &mut Ui, name, hint, range: std::ops::RangeInclusive<u32>, seed: &mut u32| {
+                    ui.label(name);
+                    let mut number = f64::from(*seed);
+                    let range = f64::from(*range.start())..=f64::from(*range.end());
+                    let field = NumberField::new(name, Step::Add(1.0)).whole().within(range).width(60.0);
+                    field.hint(hint).show(ui, shown, &mut number);
+                    *seed = whole(number);
+                };
+                let [first, last] = &mut form.seeds;
+                let is_one = first == last;
+                field(ui, t.numbers, t.numbers_hint, 0..=MAX_SEED, first);
+                let most = (*first + MAX_VERSIONS - 1).min(MAX_SEED);
+                *last = if is_one { *first } else { (*last).clamp(*first, most) };
+                field(ui, t.until, t.until_hint, *first..=most, last);
             });
             ui.add_space(4.0);
             ui.label(t.choose);
@@ -173,7 +185,7 @@ fn page(ui: &mut Ui, t: &Texts, learn: &Learn, shown: &mut Option<PagesPreview>,
     let size = vec2(height * SHAPE, height).min(vec2(ui.available_width(), ui.available_width() / SHAPE));
     if form.is_whole() {
         let zoom = size.x * ui.pixels_per_point();
-        let choices = (form.lesson.clone(), form.exercises.clone(), form.seed, form.options);
+        let choices = (form.lesson.clone(), form.exercises.clone(), form.seeds, form.options);
         pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(learn));
     }
     let count = pages.count.max(1);

@@ -3,7 +3,7 @@
 use crate::gui::learn::Learn;
 use crate::lessons::{OpenLesson, shipped};
 use camera_lab_desk::{Content, Job};
-use camera_lab_words::handout::HandoutOptions;
+use camera_lab_words::handout::{HandoutOptions, Solutions, Version};
 
 /// The greatest number for choosing the numbers of the exercises.
 pub(in crate::gui) const MAX_SEED: u32 = 9_999;
@@ -15,8 +15,8 @@ pub struct HandoutForm {
     pub lesson: Option<OpenLesson>,
     /// The exercises, by their identifiers, in the order of choosing them.
     pub exercises: Vec<String>,
-    /// The source of the exercises' numbers.
-    pub seed: u32,
+    /// The sources of the exercises' numbers: those of the first version, and those of the last one.
+    pub seeds: [u32; 2],
     /// Language, columns, answers and plan.
     pub options: HandoutOptions,
     /// The displayed page, from 0.
@@ -28,16 +28,16 @@ impl HandoutForm {
     pub(in crate::gui) fn of(learn: &Learn, lang: camera_lab_words::Lang, is_lesson: bool) -> Self {
         let open = learn.exercises.open.as_ref();
         let open = open.filter(|open| learn.exercises.entries().any(|entry| entry.id == open.id));
-        let options = HandoutOptions { lang, columns: 1, answers: false, plan: false, late: true };
+        let options = HandoutOptions { lang, columns: 1, answers: Solutions::None, plan: false, late: true };
         // One that has the numbers of the sheet.
         let first = crate::exercises::entries().find(|entry| entry.is_family).map(|entry| entry.id.to_string());
         Self {
             lesson: is_lesson.then(|| played(learn)).flatten(),
             exercises: open.map(|open| open.id.clone()).or(first).into_iter().collect(),
-            seed: open
+            seeds: [open
                 .and_then(|open| u32::try_from(open.seed).ok())
                 .filter(|seed| *seed <= MAX_SEED)
-                .unwrap_or_default(),
+                .unwrap_or_default(); 2],
             options,
             page: 0,
         }
@@ -48,8 +48,13 @@ impl HandoutForm {
         let content = match &self.lesson {
             Some(open) => Content::Lesson(open.clone()),
             None => {
-                let of = |id: &String| Some(learn.exercises.entry(id)?.exercise(self.seed.into(), &Default::default()));
-                Content::Exercises(self.exercises.iter().filter_map(of).collect::<Vec<crate::exercises::Exercise>>())
+                let [first, last] = self.seeds.map(u64::from);
+                let version = |seed: u64| {
+                    let of = |id: &String| Some(learn.exercises.entry(id)?.exercise(seed, &Default::default()));
+                    let exercises = self.exercises.iter().filter_map(of).collect();
+                    Version { number: (first < last).then_some(seed), exercises }
+                };
+                Content::Exercises((first..=last).map(version).collect())
             }
         };
         Job { content, options: self.options }

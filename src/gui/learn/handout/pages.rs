@@ -25,7 +25,7 @@ struct PageJob {
 type Done = Result<(ColorImage, usize), ExportError>;
 
 /// The choices that the pages depend on.
-pub(in crate::gui) type Choices = (Option<crate::lessons::OpenLesson>, Vec<String>, u32, HandoutOptions);
+pub(in crate::gui) type Choices = (Option<crate::lessons::OpenLesson>, Vec<String>, [u32; 2], HandoutOptions);
 
 /// The pages of a handout as long as its dialog is open.
 pub struct PagesPreview {

@@ -12,10 +12,11 @@ impl Progress {
     ///
     /// # Errors
     /// [`ProgressError`] if it isn't TOML, or a known key has an impossible value.
-    pub fn read(text: &str) -> Result<Self, ProgressError> {
+    pub fn read(source: &str) -> Result<Self, ProgressError> {
         let rest: DocumentMut =
-            text.parse().map_err(|error: TomlError| ProgressError::Toml(error.message().to_owned()))?;
-        let mut progress = Self::default();
+            source.parse().map_err(|error: TomlError| ProgressError::Toml(error.message().to_owned()))?;
+        let mut progress =
+            Self { student: known(rest.as_table(), "student", text).map_err(ProgressError::Value)?, ..Self::default() };
         for (id, item) in table(&rest, "exercise")? {
             let tried = Tried::read(item).map_err(|key| ProgressError::Value(format!("exercise.{id}.{key}")))?;
             progress.exercises.insert(id.to_owned(), tried);
@@ -36,6 +37,7 @@ impl Progress {
     /// The text for the file.
     pub fn to_toml(&self) -> String {
         let mut document = self.rest.clone();
+        set(document.as_table_mut(), "student", self.student.as_deref().map(value));
         for (id, tried) in &self.exercises {
             if let Some(table) = entered(&mut document, "exercise", id) {
                 tried.write(table);
@@ -153,6 +155,7 @@ impl Tried {
             hints: known(table, "hints", |item| by_name(item, count))?.unwrap_or_default(),
             right: known(table, "right", names)?.unwrap_or_default(),
             mistakes: codes.iter().filter_map(|code| Mistake::of_code(code)).collect(),
+            made: known(table, "made", names)?.iter().flatten().filter_map(|code| Mistake::of_code(code)).collect(),
             is_solved: known(table, "is_solved", Item::as_bool)?.unwrap_or_default(),
         })
     }
@@ -170,6 +173,7 @@ impl Tried {
         set(table, "hints", inline(&self.hints, |count| i64::from(*count).into()));
         set(table, "right", list(self.right.iter().map(String::as_str)));
         set(table, "mistakes", list(self.mistakes.iter().map(|mistake| mistake.code())));
+        set(table, "made", list(self.made.iter().map(|mistake| mistake.code())));
         set(table, "is_solved", self.is_solved.then(|| value(true)));
     }
 }
