@@ -25,6 +25,7 @@ mod system {
         match cli::run(std::env::args_os()) {
             Asked::Done(code) => code,
             Asked::Window(opening) => open(*opening),
+            Asked::Keys { lang, output } => keys(lang, output.as_deref()),
             Asked::NoWindow { status, message } => no_window(status, &message),
         }
     }
@@ -40,6 +41,23 @@ mod system {
             Err(GuiError::NoWindow(why)) => no_window(1, &texts::no_window(lang, &why)),
             Err(GuiError::Camera(error)) => no_window(2, &messages::camera(lang, &error)),
         }
+    }
+
+    #[cfg(feature = "gui")]
+    fn keys(lang: camera_lab_words::Lang, output: Option<&std::path::Path>) -> ExitCode {
+        use camera_lab::gui::app::command::{keys_pdf, keys_text};
+
+        let model = match camera_lab::gui::State::new(camera_lab::gui::Start::default()) {
+            Ok(state) => state.model,
+            Err(error) => return cli::fail(1, &camera_lab_words::messages::camera(lang, &error)),
+        };
+        let page = output.and_then(|_| keys_pdf(&model, lang));
+        cli::deliver(&page.unwrap_or_else(|| keys_text(&model, lang).into_bytes()), output, lang)
+    }
+
+    #[cfg(not(feature = "gui"))]
+    fn keys(lang: camera_lab_words::Lang, _: Option<&std::path::Path>) -> ExitCode {
+        cli::fail(1, &camera_lab_words::command_line::not_built_in(lang))
     }
 
     #[cfg(not(feature = "gui"))]

@@ -110,7 +110,7 @@ impl Examined {
 /// The figure and its error, if its camera is impossible. Operations need a camera, so with any of them, the error is
 /// reported as by every other command.
 fn impossible(args: &DiagnoseArgs, lang: Lang) -> Result<Option<(Opened, CameraError)>, Failure> {
-    if !args.common.operations(lang)?.is_empty() {
+    if !args.common.steps(lang)?.is_empty() {
         return Ok(None);
     }
     // Other errors of the file are reported when it's opened as usual.

@@ -3,9 +3,10 @@
 use serde_json::Value;
 
 use super::args::InspectArgs;
+use super::args::figure::CameraStep;
 use super::args::words::{Format, written};
 use super::{Failure, open, print, say};
-use crate::camera::ImageSize;
+use crate::camera::{ImageSize, Operation};
 use crate::explain::{self, DepthPixelReport, Setting};
 use crate::figure::Figure;
 use crate::inspect::{Bounds, InspectError, Report, for_terminals, json_text};
@@ -48,7 +49,14 @@ fn bounds(args: &InspectArgs, report: &Report, figure: &Figure, lang: Lang) -> R
     let name = messages::opened(lang, &args.figure);
     let given = files::open_figure(&args.figure);
     let given = given.map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?.figure.camera;
-    let operations = args.common.operations(lang)?;
+    let steps = args.common.steps(lang)?.into_iter().map(|step| match step {
+        CameraStep::Operation(operation) => Some(operation),
+        CameraStep::Framing(..) => None,
+    });
+    // Steps about objects give a camera with numbers of its own.
+    let operations: Option<Vec<Operation>> = steps.collect();
+    let given = if operations.is_some() { given } else { figure.camera };
+    let operations = operations.unwrap_or_default();
     let way = (&given, &operations[..], args.common.convention);
     Ok(Bounds::new(report, way, args.ndc, (figure.image, figure.viewport)))
 }

@@ -5,16 +5,25 @@ use std::path::Path;
 use clap::CommandFactory as _;
 use clap_complete::Shell;
 
+use super::args::words::LangArg;
 use super::args::{CommandLine, ManualArgs};
-use super::{Failure, print};
+use super::{Asked, Failure, print};
+use crate::export::format::PictureFormat;
 use crate::sanitize;
 use camera_lab_files::{self as files, FileError, Overwrite};
-use camera_lab_words::{Lang, messages};
+use camera_lab_words::{Lang, class, messages};
 
-pub(super) fn run(args: &ManualArgs, lang: Lang) -> Result<(), Failure> {
+pub(super) fn run(args: &ManualArgs, lang: Lang) -> Result<Option<Asked>, Failure> {
+    let Some(folder) = &args.folder else {
+        let output = args.output.clone();
+        if let Some(output) = output.as_ref().filter(|output| PictureFormat::of(output) != Some(PictureFormat::Pdf)) {
+            return Err(Failure::BadInput(class::ending(lang, &sanitize::path(output))));
+        }
+        return Ok(Some(Asked::Keys { lang: args.lang.map_or(lang, LangArg::lang), output }));
+    };
     let mut command = CommandLine::command();
     command.build();
-    write_pages(&args.folder.join("man1"), &command, lang)?;
+    write_pages(&folder.join("man1"), &command, lang)?;
     for (shell, name) in [
         (Shell::Bash, "completions/bash/camera-lab"),
         (Shell::Zsh, "completions/zsh/_camera-lab"),
@@ -23,9 +32,10 @@ pub(super) fn run(args: &ManualArgs, lang: Lang) -> Result<(), Failure> {
     ] {
         let mut text = Vec::new();
         clap_complete::generate(shell, &mut command, "camera-lab", &mut text);
-        write(&args.folder.join(name), &text, lang)?;
+        write(&folder.join(name), &text, lang)?;
     }
-    print(format!("{}\n", sanitize::path(&args.folder)).as_bytes(), lang)
+    print(format!("{}\n", sanitize::path(folder)).as_bytes(), lang)?;
+    Ok(None)
 }
 
 /// A page of the command and one of each subcommand, under the names that `man` looks for.

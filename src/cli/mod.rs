@@ -30,20 +30,20 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use args::figure::FigureArgs;
+use args::figure::{CameraStep, FigureArgs};
 use args::words::written;
 use args::{Command, CommandLine};
 use clap::Parser;
 use serde::Serialize;
 
-use crate::camera::{Camera, Convention, ImageSize, Operation};
+use crate::camera::{Camera, Convention, ImageSize};
 use crate::figure::read::{self, line_of_object};
 use crate::figure::{Figure, update};
 use crate::inspect::{InspectError, camera_after, for_terminals};
 use crate::lessons::OpenLesson;
 use crate::progress::Progress;
 use crate::sanitize;
-use crate::scene::Scene;
+use crate::scene::{Object, Scene};
 use crate::views::{Request, SharedScene, Size, View, scene_of};
 use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Opened, SourceFile, share};
 use camera_lab_words::{Lang, command_line as texts, messages, pictures};
@@ -68,6 +68,13 @@ pub enum Asked {
     Done(ExitCode),
     /// The window.
     Window(Box<Opening>),
+    /// The keys of the window, on standard output or as a page of paper in a file.
+    Keys {
+        /// Their language.
+        lang: Lang,
+        /// The file.
+        output: Option<PathBuf>,
+    },
     /// The window, with a figure that can't be opened: the exit status and the message. Without a console, the user
     /// can't see a line on standard error.
     NoWindow {
@@ -115,7 +122,10 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Photograph(args)) => photograph::run(&args, lang),
             Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
             Some(Command::Exercise(args)) => exercise::run(&args, lang),
-            Some(Command::Manual(args)) => manual::run(&args, lang),
+            Some(Command::Manual(args)) => match manual::run(&args, lang) {
+                Ok(Some(keys)) => return keys,
+                other => other.map(|_| ()),
+            },
             Some(Command::Lesson(args)) => match lesson::run(&args, lang) {
                 Ok(Some(opening)) => return Asked::Window(opening),
                 other => other.map(|_| ()),
@@ -139,6 +149,16 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
         Err(Failure::Failed(message)) => fail(1, &message),
         Err(Failure::BadInput(message)) => fail(2, &message),
     })
+}
+
+/// Writes what another part of the program has made to a file, or to standard output.
+pub fn deliver(bytes: &[u8], output: Option<&Path>, lang: Lang) -> ExitCode {
+    let done = output.map_or_else(|| print(bytes, lang), |path| render::save(path, bytes, None, lang));
+    match done {
+        Ok(()) | Err(Failure::ClosedPipe | Failure::NotRight) => ExitCode::SUCCESS,
+        Err(Failure::Failed(message)) => fail(1, &message),
+        Err(Failure::BadInput(message)) => fail(2, &message),
+    }
 }
 
 /// Writes to standard error why the program ends, and returns its exit status.
@@ -183,12 +203,13 @@ fn nearest<'a>(names: impl Iterator<Item = &'a str>, unknown: &str) -> Option<&'
 fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), Failure> {
     let name = messages::opened(lang, path);
     // Faults of the arguments are reported first because they don't depend on the file.
-    let operations = args.operations(lang)?;
+    let steps = args.steps(lang)?;
     let mut opened =
         files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
     opened.figure.show = args.shown(std::mem::take(&mut opened.figure.show), lang)?;
-    let camera = operate(&mut opened.figure, &operations, args.convention)
-        .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::inspect(lang, &error))))?;
+    let files = files_of(path, &opened, args);
+    let camera = operate(&mut opened.figure, &steps, args.convention, files, lang)
+        .map_err(|error| Failure::BadInput(format!("{name}: {error}")))?;
     Ok((opened, camera))
 }
 
@@ -314,9 +335,38 @@ impl OpenFigure {
     }
 }
 
-/// Applies operations to the camera of a figure.
-fn operate(figure: &mut Figure, operations: &[Operation], convention: Convention) -> Result<Camera, InspectError> {
-    let camera = camera_after(&figure.camera, operations, convention)?;
+/// Applies the steps of `--op` to the camera of a figure. `files` are those that it names.
+fn operate(
+    figure: &mut Figure,
+    steps: &[CameraStep],
+    convention: Convention,
+    mut files: FigureFiles,
+    lang: Lang,
+) -> Result<Camera, String> {
+    let failed = |error: InspectError| messages::inspect(lang, &error);
+    let mut camera = camera_after(&figure.camera, &[], convention).map_err(failed)?;
+    let mut built: Option<Scene> = None;
+    for step in steps {
+        camera = match step {
+            CameraStep::Operation(operation) => operation
+                .apply(&camera, convention)
+                .map_err(|error| failed(InspectError::Operation { operation: *operation, error }))?,
+            CameraStep::Framing(framing, object) => {
+                let mut read = || scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default());
+                let scene = match built.take() {
+                    Some(scene) => scene,
+                    None => read().map_err(|error| messages::scene(lang, &error))?,
+                };
+                let one = Some(object.clone()).filter(|object| object != "all");
+                let extent = scene.extent_of(&figure.scene, &one.into_iter().collect()).ok_or_else(|| {
+                    let names: Vec<&str> = scene.objects.iter().map(Object::owner).collect();
+                    texts::no_such_object(lang, &format!("--op {}", framing.name()), object, &names)
+                })?;
+                built = Some(scene);
+                framing.of(&camera, &extent).map_err(|error| messages::camera(lang, &error))?
+            }
+        };
+    }
     figure.camera = *camera.parameters();
     Ok(camera)
 }

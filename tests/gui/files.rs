@@ -309,6 +309,54 @@ fn a_dropped_file_is_opened_after_the_question_about_changes() {
     assert_eq!(window.state().model.desk.shown.name().as_deref(), Some("dropped.toml"));
 }
 
+/// A mesh that's far away and large is a scene of its own, seen whole. Saving asks for a file, and never replaces it.
+#[test]
+fn a_mesh_opens_as_a_scene_that_is_seen_whole() {
+    let folder = Folder::new("mesh-scene");
+    let path = folder.file("tent.obj");
+    let text = "v 500 0 0\nv 700 0 0\nv 500 300 0\nv 500 0 90\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    fs::write(&path, text).expect("written");
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::O);
+    window.choose(&path);
+    window.run();
+    let seen_whole = |window: &Window| {
+        let (model, mut vertices) = (&window.state().model, 0);
+        for object in &model.scene_cache.scene().objects {
+            for &p in &object.mesh.positions {
+                let clip = model.desk.shown.camera().clip_point(object.world_from_object.transform_point3(p));
+                assert!(clip.w > 0.0 && clip.truncate().abs().max_element() <= clip.w, "{clip}");
+                vertices += 1;
+            }
+        }
+        vertices
+    };
+    assert!(seen_whole(&window) > 3);
+    assert_eq!(window.state().model.desk.shown.figure().scene.objects.len(), 1);
+    assert_eq!(window.state().model.desk.shown.path(), None);
+    // A dropped one is added to it. Aim and fit are one step each, and both can be undone.
+    fs::write(folder.file("box.obj"), text.replace("500", "900")).expect("written");
+    window.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(folder.file("box.obj"))));
+    window.run();
+    window.run();
+    assert_eq!(window.state().model.desk.shown.figure().scene.objects.len(), 2);
+    let camera = |window: &Window| *window.state().model.desk.shown.camera().parameters();
+    let before = camera(&window);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::O);
+    window.run();
+    let aimed = camera(&window);
+    let way = |camera: camera_lab::camera::Parameters| camera.position - camera.focal_point;
+    assert!(aimed.focal_point.x > 690.0 && way(aimed).distance(way(before)) < 1e-9 * way(before).length());
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::I);
+    window.run();
+    assert_ne!(camera(&window), aimed);
+    for earlier in [aimed, before] {
+        window.command_key(Key::Z);
+        assert_eq!(camera(&window), earlier);
+    }
+    assert_eq!(fs::read_to_string(&path).expect("there"), text);
+}
+
 #[test]
 fn the_layout_is_saved_with_its_figure_and_comes_back() {
     let folder = Folder::new("layout");

@@ -39,6 +39,7 @@ mod extreme_pictures;
 mod families;
 mod figure;
 mod foreign;
+mod framing;
 mod fuzz;
 mod glossary;
 mod guides;

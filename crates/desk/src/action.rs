@@ -86,6 +86,8 @@ pub enum FileFor {
     Exercises,
     /// A folder with the progress of students.
     Class,
+    /// To write the keys as a page to print: its bytes.
+    Keys(Vec<u8>),
     /// To write the report on a class.
     ClassReport(Box<ClassReport>),
 }

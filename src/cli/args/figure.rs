@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use clap::Args;
 
 use super::words::{LangArg, word_of};
-use crate::camera::{Amount, Convention, ImageSize, OPERATIONS, Operation};
+use crate::camera::{Amount, Convention, Framing, ImageSize, OPERATIONS, Operation};
 use crate::cli::Failure;
 use crate::figure::words::Words;
 use crate::figure::{Show, show_with};
@@ -37,15 +37,31 @@ pub(in crate::cli) struct FigureArgs {
     pub(in crate::cli) lang: Option<LangArg>,
 }
 
+/// A change of the camera by `--op`.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::cli) enum CameraStep {
+    Operation(Operation),
+    /// By the object with this name, or by all of them for `all`.
+    Framing(Framing, String),
+}
+
 impl FigureArgs {
     /// True if they change nothing of the figure, and allow nothing.
     pub(in crate::cli) fn is_plain(&self) -> bool {
         self.operations.is_empty() && self.show.is_empty() && !self.allow_files
     }
 
-    pub(in crate::cli) fn operations(&self, lang: Lang) -> Result<Vec<Operation>, Failure> {
+    pub(in crate::cli) fn steps(&self, lang: Lang) -> Result<Vec<CameraStep>, Failure> {
         let read = |text: &String| {
+            let framing = text.split_once('=').and_then(|(name, object)| {
+                let framing = Framing::ALL.into_iter().find(|framing| framing.name() == name.trim())?;
+                Some(CameraStep::Framing(framing, object.trim().to_owned()))
+            });
+            if let Some(framing) = framing {
+                return Ok(framing);
+            }
             text.parse()
+                .map(CameraStep::Operation)
                 .map_err(|e| Failure::BadInput(format!("--op {}: {}", escaped(text), messages::operation(lang, &e))))
         };
         self.operations.iter().map(read).collect()
@@ -98,5 +114,8 @@ fn operations_help() -> String {
     };
     let [turns, factors, lengths] = [(Amount::Angle, "degrees"), (Amount::Factor, "factor"), (Amount::Length, "DX,DY")]
         .map(|(a, unit)| words(a, unit));
-    format!("An operation on the camera, in the order given: {turns}, {factors}, {lengths}")
+    format!(
+        "An operation on the camera, in the order given: {turns}, {factors}, {lengths}; aim=OBJECT moves PF to the middle \
+         of an object, fit=OBJECT and fit=all show it or all objects whole"
+    )
 }

@@ -87,7 +87,14 @@ pub(super) enum Command {
 #[derive(Debug, Args)]
 pub(super) struct ManualArgs {
     /// Folder to write them to. Created if missing
-    pub(super) folder: PathBuf,
+    #[arg(required_unless_present = "keys")]
+    pub(super) folder: Option<PathBuf>,
+    /// Print the keys of the window instead: as text, or with -o as a page of paper
+    #[arg(long, conflicts_with = "folder")]
+    pub(super) keys: bool,
+    /// File for the page with the keys: .pdf
+    #[arg(short, long, value_name = "OUT.pdf", requires = "keys")]
+    pub(super) output: Option<PathBuf>,
     /// Language of messages
     #[arg(long, value_enum)]
     pub(super) lang: Option<LangArg>,

@@ -1,8 +1,10 @@
 //! The commands of menus and keyboard: [`MENUS`] has a row for each.
 
+mod keys_page;
 mod table;
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
+pub use keys_page::{keys_pdf, keys_text};
 pub use table::MENUS;
 
 use crate::gui::app::state::State;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use eframe::egui::{self, Id, Key, Modal, RichText};
 
-use super::command::MENUS;
+use super::command::{MENUS, keys_pdf};
 use super::{menu, search};
 use crate::gui::app::file_flow::file_kind::FileKind;
 use crate::gui::app::file_flow::questions::{Agreed, Changed, Dialog, DialogKind, FileFlow, Purpose};
@@ -22,7 +22,7 @@ use crate::gui::platform::native::Wanted;
 use crate::sanitize;
 use crate::scene::edit::Children;
 use camera_lab_desk::desk::Reply;
-use camera_lab_desk::{Intent, LineComparison, LineOrigin, Message, Model, Source};
+use camera_lab_desk::{FileFor, Intent, LineComparison, LineOrigin, Message, Model, Source};
 use camera_lab_words::class::{self, ClassReport};
 use camera_lab_words::learn::{exercise_window, lessons};
 use camera_lab_words::window::{self, Texts, canvas, gallery as gallery_words, scenes, sharing};
@@ -157,11 +157,21 @@ fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog,
         }
         Dialog::Lessons => lesson::list(ui, &mut state.model, &state.learn).then_some(Dialog::Lessons),
         Dialog::Class(report) => {
-            let purpose = Purpose::For(camera_lab_desk::FileFor::ClassReport(report.clone()));
+            let purpose = Purpose::For(FileFor::ClassReport(report.clone()));
             let pressed = class_report(ui, t, &report, first);
             asked_file(ctx, state, pressed, purpose, Dialog::Class(report))
         }
-        Dialog::Help => help(ui, t, &state.model, first).then_some(Dialog::Help),
+        Dialog::Help => {
+            let pressed = help(ui, t, &state.model, first);
+            let page = matches!(pressed, Pressed::Action(_)).then(|| keys_pdf(&state.model, state.model.settings.lang));
+            asked_file(
+                ctx,
+                state,
+                pressed,
+                Purpose::For(FileFor::Keys(page.flatten().unwrap_or_default())),
+                Dialog::Help,
+            )
+        }
         Dialog::About => about(ui, t, first).then_some(Dialog::About),
         Dialog::Link => {
             let State { model, learn, sharing, file_flow, .. } = &mut *state;
@@ -468,7 +478,7 @@ fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
 }
 
 /// Help on mouse and keyboard. False once it's closed.
-fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, first: bool) -> bool {
+fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, first: bool) -> Pressed {
     let pictures = canvas::texts(model.settings.lang);
     let keys = [
         (t.show_world, pictures.keys_in_world),
@@ -520,7 +530,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, model: &Model, first: bool) -> boo
         });
     });
     ui.add_space(8.0);
-    matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing)
+    buttons(ui, t.close, &[t.save_keys], first.then_some(CANCEL))
 }
 
 /// Names and licences of all libraries, and the texts of the licences, written by `.ci/third-party`.

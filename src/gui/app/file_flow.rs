@@ -229,7 +229,9 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             write(ctx, state, Save { with_files: true, ..Save::of(&state.model, path.to_owned(), agreed) });
         }
         Purpose::Export(_)
-        | Purpose::For(FileFor::Animation(_) | FileFor::Chart(_) | FileFor::Progress | FileFor::ClassReport(_))
+        | Purpose::For(
+            FileFor::Animation(_) | FileFor::Chart(_) | FileFor::Progress | FileFor::ClassReport(_) | FileFor::Keys(_),
+        )
         | Purpose::Handout(_)
         | Purpose::Step
         | Purpose::NewLesson
@@ -278,6 +280,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             Ok(report) => state.file_flow.dialog = Some(Dialog::Class(Box::new(report))),
             Err(error) => state.model.say(Message::File(path.to_owned(), error)),
         },
+        Purpose::For(FileFor::Keys(bytes)) => save_bytes(&mut state.model, path, Ok(bytes), &agreed),
         Purpose::For(FileFor::ClassReport(report)) => {
             let bytes = report.file(path, state.model.settings.lang);
             let bytes = bytes.ok_or_else(|| FileError::Write(std::io::ErrorKind::InvalidInput.into()));
@@ -501,9 +504,13 @@ fn take_given(ctx: &egui::Context, state: &mut State) {
     }
 }
 
-/// Opens a dropped file: a figure, or a mesh, which is added to the scene.
+/// Opens a dropped file: a figure, or a mesh, which is added to the scene. In place of the figure that the window
+/// begins with, it's a scene of its own.
 fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
-    if !files::has_ending(&path, MESH_ENDINGS) {
+    let shown = &state.model.desk.shown;
+    let has_origin = shown.path().is_some() || shown.shipped_name().is_some() || !shown.source().is_empty();
+    let is_begun = has_origin || state.model.is_unsaved() || state.model.in_browser;
+    if !files::has_ending(&path, MESH_ENDINGS) || !is_begun {
         return begin(ctx, state, Intent::OpenPath(path));
     }
     let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());

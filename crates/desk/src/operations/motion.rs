@@ -1,8 +1,9 @@
 //! A camera on its way.
 
-use crate::camera::{Amount, Camera, Convention, Freedom, Operation};
+use crate::camera::{Amount, Camera, Convention, Framing, Freedom, Operation};
 use crate::model::Model;
 use crate::operations::DoneStep;
+use crate::scene_tree::Selected;
 
 /// Seconds in which the pictures of a step before fade into those of the next one.
 pub const FADE: f64 = 0.4;
@@ -46,6 +47,30 @@ impl Model {
             self.operate(operation);
         } else {
             self.motion = Some(Motion { start, freedom, amount, convention, began: None });
+        }
+    }
+
+    /// Aims the camera at the selected objects, or fits the image to them. Without a selection, all objects are meant.
+    /// One step to undo, and the world shows the camera before it.
+    pub fn frame_objects(&mut self, framing: Framing) {
+        self.finish_motion();
+        let spec = &self.desk.shown.figure().scene;
+        let mut names = self.tree.names(spec);
+        if let Some(Selected::OfPreset(name)) = self.tree.selected(spec) {
+            names.insert(name.clone());
+        }
+        let (before, scene) = (self.desk.shown.camera().clone(), self.scene_cache.scene().clone());
+        let Some(extent) = scene.extent_of(spec, &names) else { return };
+        match framing.of(&before, &extent) {
+            Ok(after) => {
+                // The way is drawn as that of a pan: from place to place.
+                let (operation, convention) = (Operation::Pan { dx: 0.0, dy: 0.0 }, self.operations.convention);
+                let ghost = crate::views::Ghost { before, operation, convention };
+                self.operations.done = Some(DoneStep { ghost, since: None });
+                self.desk.shown.set_camera(after);
+                self.desk.commit();
+            }
+            Err(error) => self.say_camera_error(Err(error)),
         }
     }
 

@@ -19,6 +19,7 @@
 
 mod basis;
 mod conventions;
+mod framing;
 mod image_map;
 mod lens_form;
 mod operation;
@@ -54,6 +55,7 @@ mod check {
 pub use basis::Basis;
 pub use check::{CameraRepair, Warning, camera_repairs, thresholds};
 pub use conventions::{AngleUnit, Api, Axes, InfiniteParallel, Ndc, NdcRange, Order, Program, Toward, WorldUp};
+pub use framing::Framing;
 pub use image_map::{ImageSize, Viewport};
 pub use lens_form::{LensForm, LensNumbers, Sensor, SensorFit};
 pub use matrix::{ClipSpace, Decomposition, Factor, Step};

@@ -20,6 +20,7 @@ mod tree {
     pub mod transform;
 }
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -68,6 +69,27 @@ impl Scene {
         let lines = self.lines.iter().filter_map(|l| Aabb::around(l.points.iter().copied()));
         let marks = Aabb::around(self.marks.iter().map(|m| m.position));
         objects.chain(lines).chain(marks).reduce(Aabb::union)
+    }
+
+    /// The places in the world that framing objects of a scene is about: the middle of the objects with these names and
+    /// of everything below them in the tree, and their vertices. Without names, of all objects. `None` if there are
+    /// none.
+    pub fn extent_of(&self, spec: &SceneSpec, names: &BTreeSet<String>) -> Option<(DVec3, Vec<DVec3>)> {
+        let mut all = names.clone();
+        all.extend(names.iter().flat_map(|name| edit::descendants(spec, name)));
+        let is_meant = |object: &&Object| names.is_empty() || all.contains(object.owner());
+        let objects: Vec<&Object> = self.objects.iter().filter(is_meant).collect();
+        let placed = |object: &Object| {
+            let matrix = object.world_from_object;
+            object.mesh.positions.iter().map(move |&p| matrix.transform_point3(p)).collect::<Vec<_>>()
+        };
+        let points: Vec<DVec3> = objects.iter().flat_map(|object| placed(object)).collect();
+        let middle = match objects[..] {
+            // The box of a turned object has another middle in the world.
+            [object] => object.world_from_object.transform_point3(object.mesh.bounds()?.center()),
+            _ => Aabb::around(points.iter().copied())?.center(),
+        };
+        Some((middle, points))
     }
 
     /// The index of the object with this name. One of the figure comes before a part of another with the same name.

@@ -4,6 +4,7 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 
 use super::{CommandRow, InBrowser, Menu};
 use crate::appearance;
+use crate::camera::Framing;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::{Dialog, FileFlow, Purpose, TitleForm};
 use crate::gui::app::search::Search;
@@ -142,6 +143,10 @@ pub const MENUS: &[Menu] = &[
                 row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.learn.undo(&mut s.model, false))
                     .or(ctrl(Key::Y))
                     .enabled(|s| s.learn.can_undo(&s.model, false)),
+            ],
+            &[
+                row!(Aim, alt(Key::O), aim, aim_hint, |s, _| s.model.frame_objects(Framing::Aim)),
+                row!(FitImage, alt(Key::I), fit_image, fit_image_hint, |s, _| s.model.frame_objects(Framing::Fit)),
             ],
             &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.model.desk.shown.reset())
                 .enabled(|s| s.model.desk.shown.can_reset())

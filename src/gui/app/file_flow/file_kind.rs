@@ -56,7 +56,12 @@ impl FileKind {
         let folder = |title| (Wanted::Folder, title, t.open_action, Vec::new(), String::new());
         let new_file = |title, filters, name| (Wanted::NewFile, title, t.save_action, filters, name);
         let (wanted, title, action, filters, name) = match purpose {
-            Purpose::Open | Purpose::For(FileFor::CompareWith) => {
+            Purpose::Open => {
+                let filters =
+                    [(t.figure_filter.to_owned(), &FIGURE_ENDINGS[..]), (scenes::mesh_filter(lang), MESH_ENDINGS)];
+                (Wanted::File, t.open_title, t.open_action, filters.to_vec(), String::new())
+            }
+            Purpose::For(FileFor::CompareWith) => {
                 file(t.open_title, t.open_action, t.figure_filter, &FIGURE_ENDINGS[..])
             }
             Purpose::Save | Purpose::SaveWithFiles => {
@@ -121,6 +126,9 @@ impl FileKind {
             Purpose::Folder => folder(gallery::texts(lang).choose),
             Purpose::For(FileFor::Exercises) => folder(exercises.own_open),
             Purpose::For(FileFor::Class) => folder(class::texts(lang).choose),
+            Purpose::For(FileFor::Keys(_)) => {
+                new_file(t.help_commands, vec![("PDF".to_owned(), &["pdf"][..])], format!("{}.pdf", t.keys_file))
+            }
             Purpose::For(FileFor::ClassReport(_)) => {
                 let t = class::texts(lang);
                 let filters = [("PDF", &["pdf"][..]), ("CSV", &["csv"]), ("JSON", &["json"])];

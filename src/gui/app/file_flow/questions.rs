@@ -56,7 +56,13 @@ impl Purpose {
             self,
             Self::Open
                 | Self::Folder
-                | Self::For(FileFor::Progress | FileFor::Exercises | FileFor::Class | FileFor::ClassReport(_))
+                | Self::For(
+                    FileFor::Progress
+                        | FileFor::Exercises
+                        | FileFor::Class
+                        | FileFor::ClassReport(_)
+                        | FileFor::Keys(_)
+                )
                 | Self::Handout(_)
         )
     }

@@ -10,11 +10,13 @@ use eframe::egui::{
 
 use super::SceneEdit;
 use crate::appearance::Rgba;
+use crate::camera::Framing;
 use crate::gui::kit::{Explained, keep_in_sight};
 use crate::sanitize::escaped;
 use crate::scene::edit::descendants;
 use crate::scene::{LightKind, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
 use camera_lab_desk::{Model, Selected, preset_objects};
+use camera_lab_words::window;
 use camera_lab_words::window::scenes::{Texts, preset_object};
 
 /// Width of a step of the tree, in points.
@@ -103,6 +105,21 @@ fn clicks_and_keys(ui: &egui::Ui, model: &mut Model, row: &TreeRow, response: &R
         model.select(row.what.clone(), ui.input(|input| input.modifiers.command));
         response.request_focus();
         ui.ctx().request_repaint();
+    }
+    let is_object = matches!(row.what, Some(Selected::Object(_) | Selected::OfPreset(_)));
+    if is_object {
+        response.context_menu(|ui| {
+            let t = window::texts(model.settings.lang);
+            for (framing, text, hint) in
+                [(Framing::Aim, t.aim, t.aim_hint), (Framing::Fit, t.fit_image, t.fit_image_hint)]
+            {
+                if ui.button(text).explained(hint).clicked() {
+                    (model.tree.selected) = row.what.clone();
+                    model.frame_objects(framing);
+                    ui.close();
+                }
+            }
+        });
     }
     let fold = |folded: &mut BTreeSet<String>, fold: bool| {
         if fold {

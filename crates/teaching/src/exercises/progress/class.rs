@@ -152,6 +152,9 @@ fn frequent<'a>(codes: impl Iterator<Item = &'a String>) -> Vec<(String, usize)>
 }
 
 fn of_progress(name: &str, text: &str) -> Result<Vec<(String, Student)>, ClassError> {
+    if !["exercise", "mistake", "guess"].iter().any(|table| text.contains(&format!("[{table}"))) {
+        return Err(ClassError::Foreign);
+    }
     let progress = Progress::read(text)?;
     if progress.is_empty() {
         return Err(ClassError::Foreign);
