@@ -1,5 +1,6 @@
 //! `camera-lab exercise`: exercises, their statements, and judged answers.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -26,6 +27,7 @@ use crate::views::{SharedScene, Size, View, Views, scene_of};
 use camera_lab_files::{self as files, BadExercise, OwnExercises};
 use camera_lab_words::class::{self, ClassReport};
 use camera_lab_words::handout::{self, HandoutOptions, NoPicture, Solutions, Version};
+use camera_lab_words::learn::moodle::moodle;
 use camera_lab_words::learn::{
     exercise_messages::{self as said, plain},
     exercise_sheet as sheet_of, exercise_window, exercises as texts, lessons,
@@ -416,6 +418,18 @@ fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     let versions: Vec<Version> = seeds.map(version).collect::<Result<_, Failure>>()?;
     say_faults(&own, lang);
     let written = written(args.numbers.lang);
+    if args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("xml")) {
+        let all = exercises::with_own(&own.entries);
+        let by_id: BTreeMap<&str, &Entry> = all.map(|entry| (&*entry.id, entry)).collect();
+        // All versions of an exercise stand together.
+        let of = |k: usize| versions.iter().filter_map(move |version| version.exercises.get(k));
+        let sheet = (0..args.ids.len()).flat_map(of);
+        let sheet: Vec<(&Entry, &Exercise)> =
+            sheet.filter_map(|exercise| Some((*by_id.get(exercise.id.as_str())?, exercise))).collect();
+        let (text, left_out) = moodle(written, &sheet);
+        left_out.iter().for_each(|title| say(&said::no_question(lang, title)));
+        return save(&args.output, text.as_bytes(), None, lang);
+    }
     let answers = if args.answers { Solutions::AtEnd } else { Solutions::None };
     write_sheet((&versions, answers), &args.output, written, lang)?;
     args.solutions.as_ref().map_or(Ok(()), |path| write_sheet((&versions, Solutions::Alone), path, written, lang))

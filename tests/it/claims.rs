@@ -165,7 +165,13 @@ fn names(lang: Lang) -> BTreeSet<String> {
 }
 
 /// Names that a guide emphasizes and that belong to others: to systems, to Blender, to the lecture notes.
-const OF_OTHERS: [&str; 9] = [
+const OF_OTHERS: [&str; 15] = [
+    "Question bank",
+    "Import",
+    "Moodle XML format",
+    "Banco de questões",
+    "Importar",
+    "Formato Moodle XML",
     "Auto",
     "Fit",
     "Câmera Virtual",

@@ -51,6 +51,7 @@ mod lesson_limits;
 mod lessons;
 mod manual;
 mod misplaced;
+mod moodle;
 mod named_files;
 mod ndc;
 mod normalizing;

@@ -113,7 +113,7 @@ pub(in crate::cli) struct SheetArgs {
     #[arg(long, value_name = "OUT2")]
     pub(in crate::cli) solutions: Option<PathBuf>,
     /// File to write: .pdf, .md or .tex; beside the last two go images to match, as OUT-1.png if the first exercise
-    /// has one
+    /// has one. With .xml, a bank of questions for Moodle, which marks the answers and names known mistakes
     #[arg(short, long, value_name = "OUT")]
     pub(in crate::cli) output: PathBuf,
 }

@@ -50,6 +50,9 @@ texts_with_values! {
     /// The progress is deleted, and still in the file at `path`.
     progress_deleted(lang, path: &str);
 
+    /// An exercise that no question of Moodle can hold.
+    no_question(lang, title: &str);
+
     /// The name of a version of a sheet.
     version(lang, number: u64);
 

@@ -6,6 +6,7 @@ pub mod exercise_sheet;
 pub(super) mod exercise_texts;
 pub mod exercises;
 pub mod lessons;
+pub mod moodle;
 
 /// The words of the dialog that prints lessons and exercises.
 pub mod handouts {
