@@ -5,7 +5,7 @@
 
 use glam::{DMat4, DVec3};
 
-use crate::camera::recovery::entries::MatrixEntries;
+use crate::camera::recovery::reading::MatrixEntries;
 use crate::camera::recovery::{Axes, MatrixKind, Order, Reading, Recovered, SLACK, Unknown, WorldUp};
 use crate::camera::{Camera, Program, Projection};
 

@@ -3,8 +3,8 @@
 use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot};
 
 use super::names::Field;
-use super::words::Word;
-use crate::camera::recovery::entries::{MatrixEntries, Written, rigid};
+use super::names::Word;
+use crate::camera::recovery::reading::{MatrixEntries, Written, rigid};
 use crate::camera::recovery::{Axes, MatrixKind, Order, Toward};
 use Field as F;
 

@@ -3,7 +3,7 @@
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
 use super::tree::{Node, Value};
-use crate::camera::recovery::entries::Written;
+use crate::camera::recovery::reading::Written;
 
 /// The parts of one camera.
 fn camera(name: &str, mut parts: Vec<Node>) -> Node {

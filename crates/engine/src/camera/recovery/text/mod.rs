@@ -5,26 +5,22 @@
 //! entry, and each entry is used, or named as left out ([`account`]). Numbers without such names are a matrix, a
 //! quaternion, K or three vectors by their count.
 
-mod account;
 mod camera;
 mod files;
 mod lens;
 mod names;
-pub(crate) mod numbers;
 mod tokens;
 mod tree;
 mod walk;
-mod words;
-mod xml;
 
 use glam::DMat4;
 
 use crate::camera::ImageSize;
-use crate::camera::recovery::entries::{MatrixEntries, Written};
+use crate::camera::recovery::reading::{MatrixEntries, Written};
 use crate::camera::recovery::{Axes, MatrixKind, MatrixTextError, Order, RecoveryError};
 use camera::in_line;
 use tree::Node;
-pub(crate) use words::Word;
+pub(crate) use names::Word;
 
 /// A camera of a text: its numbers, and the parts of their reading that the format or the words state.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -233,10 +229,10 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
     if text.matches("\\begin{").count() > 1 {
         return Err(MatrixTextError::Latex);
     }
-    let plain = numbers::without_comments(text);
+    let plain = tokens::without_comments(text);
     let start = plain.trim_start();
     let is_xml = start.starts_with('<') && (start.contains("</") || start.contains("/>"));
-    let tree = if is_xml { xml::read(start) } else { tree::read(&plain)? };
+    let tree = if is_xml { tokens::xml_tree(start) } else { tree::read(&plain)? };
     let by_parts = [files::gltf, files::open_mvg, files::metashape, files::three_js];
     if let Some(tree) = by_parts.into_iter().find_map(|read| read(&tree)) {
         return walk::cameras(&tree, sign);
@@ -280,7 +276,7 @@ impl MatrixEntries {
 fn of_numbers(tree: &Node, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
     let mut leaves = Vec::new();
     tree.leaves(&mut leaves);
-    let word = words::find(text);
+    let word = names::find(text);
     let is_size = |leaf: &Node, field| names::meaning(&names::plain(&leaf.name), 1, false) == Some(&[field]);
     let side = |field| leaves.iter().find(|leaf| leaf.numbers().0.len() == 1 && is_size(leaf, field));
     let image = side(names::Field::ImageWidth).zip(side(names::Field::ImageHeight));
@@ -311,7 +307,7 @@ fn of_numbers(tree: &Node, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
     };
     let cameras = chosen.into_iter().filter_map(|leaf| {
         let (numbers, lines) = leaf.numbers();
-        let own = words::find(&leaf.name).or(word.filter(|word| word.kind != Some(MatrixKind::Intrinsics)));
+        let own = names::find(&leaf.name).or(word.filter(|word| word.kind != Some(MatrixKind::Intrinsics)));
         let camera = of(&leaf.name, numbers, in_line(&lines), own)?;
         Some(Pasted { left_out: others.iter().map(left_out).collect(), ..camera })
     });

@@ -4,8 +4,8 @@
 //! names of its own. What differs are marks: `=` and `:`, brackets, indentation, tags.
 
 use crate::camera::recovery::MatrixTextError;
-use crate::camera::recovery::entries::Written;
-use crate::camera::recovery::text::numbers::{has_decimal_commas, is_separator, without_indices, written};
+use crate::camera::recovery::reading::Written;
+use crate::camera::recovery::text::tokens::{has_decimal_commas, is_separator, without_indices, written};
 use crate::camera::recovery::text::tokens::{Reader, Token};
 
 /// The depth of nesting that is read. No camera needs more.

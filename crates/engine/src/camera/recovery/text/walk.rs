@@ -1,12 +1,12 @@
 //! A tree → the entries of each of its cameras.
 
-use super::account::assemble;
+use super::lens::assemble;
 use super::camera::{Entry, Sign};
 use super::names::{Field, is_known, meaning, plain};
 use super::tree::{Node, Value};
-use super::{LeftOut, MatrixTextError, Pasted, Why, words};
+use super::{LeftOut, MatrixTextError, Pasted, Why, names};
 use crate::camera::recovery::MatrixKind;
-use crate::camera::recovery::entries::Written;
+use crate::camera::recovery::reading::Written;
 use Field as F;
 
 /// A part of a tree: its own entries, and the parts inside.
@@ -49,11 +49,11 @@ impl Scope {
     }
 
     fn has_pose(&self) -> bool {
-        !self.is_sensor() && self.any(&Field::is_pose)
+        !self.is_sensor() && self.any(&|field| field.is_pose())
     }
 
     fn has_lens(&self) -> bool {
-        !self.is_sensor() && self.any(&Field::is_lens)
+        !self.is_sensor() && self.any(&|field| field.is_lens())
     }
 
     fn has_camera(&self) -> bool {
@@ -149,10 +149,10 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
                 return scope.entries.push(entry(fields, index, None, node.numbers()));
             }
             let is_matrix =
-                |word: &words::Word| count == 12 || count == 16 && word.kind != Some(MatrixKind::Intrinsics);
+                |word: &names::Word| count == 12 || count == 16 && word.kind != Some(MatrixKind::Intrinsics);
             // `matrix_world` is Blender's, `matrixWorld` that of three.js.
             let is_blender = shown.contains("matrix_world");
-            let word = if is_blender { words::find(&shown) } else { words::of_name(path) };
+            let word = if is_blender { names::find(&shown) } else { names::of_name(path) };
             let word = word.filter(|word| is_matrix(word) && (!is_inner || node.children().len() == 1));
             if let Some(word) = word {
                 let is_pixels =
@@ -181,7 +181,7 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
 
 /// True if a node has names of the table inside.
 fn has_names(node: &Node) -> bool {
-    let is_matrix = |child: &Node| matches!(child.count(), 12 | 16) && words::of_name(&plain(&child.name)).is_some();
+    let is_matrix = |child: &Node| matches!(child.count(), 12 | 16) && names::of_name(&plain(&child.name)).is_some();
     node.children().iter().any(|child| is_known(&plain(&child.name)) || has_names(child) || is_matrix(child))
 }
 
