@@ -19,7 +19,7 @@ pub use text::{LeftOut, Pasted, Used, Why, camera_names, read_cameras};
 
 use glam::DMat4;
 
-use crate::camera::{Axes, Camera, NdcRange, Order, Parameters, Toward, WorldUp};
+use crate::camera::{Axes, Camera, Order, Parameters, Toward, WorldUp};
 use solve::Recovery;
 
 /// A camera's parameters from a matrix.

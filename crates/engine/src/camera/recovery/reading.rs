@@ -235,6 +235,14 @@ impl MatrixEntries {
         self.in_order(if by_columns { Order::Columns } else { Order::Rows })
     }
 
+    /// P of a part of its image, whose pixels are several of the whole.
+    pub(crate) fn crop(&mut self, corner: [f64; 2], binning: [f64; 2]) {
+        for k in 0..self.numbers.len().min(8) {
+            let (row, last) = (k / 4, self.numbers[8 + k % 4].value);
+            self.numbers[k].value = (self.numbers[k].value - corner[row] * last) / binning[row];
+        }
+    }
+
     /// The matrix of an order. Nine numbers are its upper left corner. A quaternion that isn't of unit length gives a
     /// matrix of zeros.
     pub(crate) fn in_order(&self, order: Order) -> DMat4 {

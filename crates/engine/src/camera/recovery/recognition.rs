@@ -4,8 +4,11 @@ use glam::{DMat4, DVec3, DVec4};
 
 use super::evidence::{Weight, is_rigid, is_rotation, is_scaled};
 use super::solve::{Recovery, check_pixels};
-use super::text::{GivenLens, Size, Word};
-use super::{Lines, MatrixEntries, MatrixKind, Pasted, Reading, Reason, Recovered, RecoveryError, SLACK, Stated, Unknown, recover};
+use super::text::{GivenLens, Side, Size, Word};
+use super::{
+    Lines, MatrixEntries, MatrixKind, Pasted, Reading, Reason, Recovered, RecoveryError, SLACK, Stated, Unknown,
+    recover,
+};
 use crate::camera::{Axes, Camera, ImageSize, NdcRange, Order, Parameters, Projection};
 
 crate::worded! {
@@ -402,22 +405,18 @@ fn with_lens(
     let [m, n] = [reading.image.width, reading.image.height].map(f64::from);
     let own = current.window.map_or(current.aspect, |w| (w.right - w.left) / (w.top - w.bottom));
     let aspect = lens.aspect.unwrap_or(if has_image { reading.image.aspect() } else { own });
-    let by = if lens.is_parallel { 1.0 } else { near };
     if lens.size != Size::Open || lens.is_parallel {
         p.projection = if lens.is_parallel { Projection::Parallel } else { Projection::Perspective };
     }
-    let of_height = |height: f64| [aspect * height / zoom, height / zoom];
-    let [width, height] = match lens.size {
-        Size::Open => [0.0; 2],
+    let size = match lens.size {
+        Size::Open => {
+            p.aspect = lens.aspect.unwrap_or(p.aspect);
+            recovery.unknown.push(Unknown::Window);
+            None
+        }
         Size::Pixels { focal_lengths, principal_point, skew } => {
-            if skew.abs() > SLACK * focal_lengths[0] {
-                return Err(RecoveryError::Skew { skew, focal_length: focal_lengths[0] });
-            }
-            recovery.unknown.extend((skew != 0.0).then_some(Unknown::SkewDropped));
-            let [x, y, across, down] = lens.crop.unwrap_or([0.0, 0.0, 1.0, 1.0]);
-            let [full_m, full_n] = [m / across, n / down];
-            let [c_x, c_y] = principal_point.unwrap_or([full_m / 2.0, full_n / 2.0]);
-            let point = [c_x - x * full_m, c_y - y * full_n];
+            recovery.skew(skew, focal_lengths[0])?;
+            let point = principal_point.unwrap_or([m / 2.0, n / 2.0]);
             let f = focal_lengths.map(|f| f * zoom);
             if lens.is_parallel {
                 let [width, height] = [m / f[0], n / f[1]];
@@ -425,41 +424,35 @@ fn with_lens(
             } else {
                 recovery.pixels(f, point);
             }
-            [0.0; 2]
+            None
         }
-        Size::AngleY(degrees) => of_height(2.0 * near * (degrees.to_radians() / 2.0).tan()),
-        Size::SlopeY(slope) => of_height(slope * by),
-        Size::SlopeX(slope) => of_height(slope * by / aspect),
-        Size::SlopeSmaller(slope) => of_height(slope * by / aspect.min(1.0)),
-        Size::SlopeLarger(slope) => of_height(slope * by / aspect.max(1.0)),
-        Size::Height(height) => of_height(height),
-        Size::Width(width) => of_height(width / aspect),
-        Size::Sides([left, right, bottom, top]) => [(right - left) / zoom, (top - bottom) / zoom],
+        Size::Length(side, length) => {
+            let length = if lens.is_slope && !lens.is_parallel { length * near } else { length };
+            let height = match side {
+                Side::Up => length,
+                Side::Across => length / aspect,
+                Side::Smaller => length / aspect.min(1.0),
+                Side::Larger => length / aspect.max(1.0),
+            };
+            let sides = [aspect * height / zoom, height / zoom];
+            let of = if lens.shift_of_height { [sides[1]; 2] } else { sides };
+            Some((sides, [lens.shift[0] * of[0], lens.shift[1] * of[1]]))
+        }
+        Size::Sides([left, right, bottom, top]) => {
+            Some(([(right - left) / zoom, (top - bottom) / zoom], [(left + right) / 2.0, (bottom + top) / 2.0]))
+        }
     };
-    if width != 0.0 && height != 0.0 {
-        let mut middle = match lens.size {
-            Size::Sides([left, right, bottom, top]) => [(left + right) / 2.0, (bottom + top) / 2.0],
-            _ if lens.shift_of_height => [lens.shift[0] * height, lens.shift[1] * height],
-            _ => [lens.shift[0] * width, lens.shift[1] * height],
-        };
-        let mut size = [width, height];
-        if let Some([x, y, across, down]) = lens.crop {
-            middle[0] += (x + across / 2.0 - 0.5) * width;
-            middle[1] += (0.5 - y - down / 2.0) * height;
-            size = [across * width, down * height];
-        }
-        recovery.window(size, middle);
+    if let Some(([width, height], mut middle)) = size {
+        let [x, y, across, down] = lens.crop.unwrap_or([0.0, 0.0, 1.0, 1.0]);
+        middle[0] += (x + across / 2.0 - 0.5) * width;
+        middle[1] += (0.5 - y - down / 2.0) * height;
+        recovery.window([across * width, down * height], middle);
         // The numbers themselves, without the rounding of products.
         let p = &mut recovery.found;
         if p.window.is_none() && lens.crop.is_none() {
             p.aspect = if matches!(lens.size, Size::Sides(_)) { p.aspect } else { aspect };
-            if let (Size::AngleY(degrees), true) = (lens.size, zoom == 1.0) {
-                p.view_angle = degrees;
-            }
+            p.view_angle = lens.degrees.filter(|_| zoom == 1.0).unwrap_or(p.view_angle);
         }
-    } else if lens.size == Size::Open {
-        recovery.found.aspect = lens.aspect.unwrap_or(recovery.found.aspect);
-        recovery.unknown.push(Unknown::Window);
     }
     recovery.unknown.retain(|unknown| *unknown != Unknown::ClippingPlanes);
     recovery.unknown.extend(match (lens.near, lens.far) {

@@ -451,15 +451,17 @@ impl Recovery {
             }
         }
         let skew = m.y_axis.x;
-        if skew.abs() > SLACK * f_x {
-            return Err(RecoveryError::Skew { skew, focal_length: f_x });
-        }
-        if skew != 0.0 {
-            self.unknown.push(Unknown::SkewDropped);
-        }
+        self.skew(skew, f_x)?;
         self.unknown.push(Unknown::Pose);
         self.pixels([f_x, f_y], [m.z_axis.x, m.z_axis.y]);
         Ok(())
+    }
+
+    /// Drops a skew that is only that of the digits.
+    pub(crate) fn skew(&mut self, skew: f64, focal_length: f64) -> Result<(), RecoveryError> {
+        self.unknown.extend((skew != 0.0).then_some(Unknown::SkewDropped));
+        let is_small = skew.abs() <= SLACK * focal_length;
+        if is_small { Ok(()) } else { Err(RecoveryError::Skew { skew, focal_length }) }
     }
 
     /// The window of focal lengths and a principal point in pixels, at the present F.

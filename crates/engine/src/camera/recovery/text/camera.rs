@@ -61,11 +61,13 @@ pub(crate) struct Sign {
     pub(crate) is_parallel: bool,
 }
 
+/// A side of the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Side {
     Up,
     Across,
     Smaller,
+    Larger,
 }
 
 const fn sign(words: &'static [&'static str], axes: Axes) -> Sign {
@@ -135,7 +137,7 @@ impl<'a> Said<'a> {
                 let count = if let [_] = entry.fields { rest.len() } else { field.count().unwrap_or(0) };
                 let (own, after) = rest.split_at(count.min(rest.len()));
                 rest = after;
-                let is_many = matches!(field, F::Coefficient | F::Skip | F::Unknown | F::Part | F::Binning | F::Model);
+                let is_many = matches!(field, F::Coefficient | F::Skip | F::Unknown | F::Part | F::Model);
                 if !is_many && first.iter().any(|(other, ..)| other == field) {
                     repeated.push(at);
                 } else {
@@ -162,6 +164,10 @@ impl<'a> Said<'a> {
 
     pub(crate) fn number(&mut self, field: Field) -> Option<f64> {
         self.list(field)?.first().copied()
+    }
+
+    pub(crate) fn pair(&mut self, a: Field, b: Field) -> Option<[f64; 2]> {
+        self.number(a).zip(self.number(b)).map(|(a, b)| [a, b])
     }
 
     pub(crate) fn vector(&mut self, field: Field) -> Option<DVec3> {

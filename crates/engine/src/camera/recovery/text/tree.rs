@@ -5,8 +5,8 @@
 
 use crate::camera::recovery::MatrixTextError;
 use crate::camera::recovery::reading::Written;
-use crate::camera::recovery::text::tokens::{has_decimal_commas, is_separator, without_indices, written};
 use crate::camera::recovery::text::tokens::{Reader, Token};
+use crate::camera::recovery::text::tokens::{has_decimal_commas, is_separator, without_indices, written};
 
 /// The depth of nesting that is read. No camera needs more.
 pub(crate) const DEPTH: usize = 60;

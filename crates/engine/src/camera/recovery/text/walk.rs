@@ -1,7 +1,7 @@
 //! A tree → the entries of each of its cameras.
 
-use super::lens::assemble;
 use super::camera::{Entry, Sign};
+use super::lens::assemble;
 use super::names::{Field, is_known, meaning, plain};
 use super::tree::{Node, Value};
 use super::{LeftOut, MatrixTextError, Pasted, Why, names};
