@@ -78,9 +78,11 @@ const NONE: Sign =
     Sign { words: &[], axes: None, side: Side::Up, is_radians: None, order: None, units: 1.0, is_parallel: false };
 
 /// The likelier first.
-const SIGNS: [Sign; 27] = [
+const SIGNS: [Sign; 29] = [
     Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["fvector("], Axes::UNREAL) },
     Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["ucameracomponent"], Axes::UNREAL) },
+    Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["frotator"], Axes::UNREAL) },
+    Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["pitch=", "yaw="], Axes::UNREAL) },
     Sign { is_radians: Some(true), ..sign(&["babylon"], Axes::DIRECT3D) },
     sign(&["lookrotation("], Axes::DIRECT3D),
     sign(&["nearclipplane"], Axes::DIRECT3D),
@@ -111,6 +113,12 @@ const SIGNS: [Sign; 27] = [
     sign(&["viewnormal"], Axes::OPENGL),
     sign(&["<vcgcamera"], Axes::OPENGL),
 ];
+
+impl Sign {
+    pub(crate) fn is_pov(&self) -> bool {
+        self.words.contains(&"look_at")
+    }
+}
 
 /// The conventions of a text.
 pub(crate) fn sign_of(text: &str) -> Sign {
@@ -203,7 +211,10 @@ pub(crate) const fn word(word: &'static str, kind: MatrixKind, axes: Option<Axes
 impl Said<'_> {
     /// The pose, if there is a whole one. `is_vision`: a lens in pixels stands beside it.
     pub(crate) fn pose(&mut self, is_vision: bool) -> Option<Pose> {
-        let axes = self.sign.axes;
+        let mut axes = self.sign.axes;
+        if self.sign.is_pov() && self.vector(F::Across).is_some_and(|right| right.x < 0.0) {
+            axes = Some(Axes::OPENGL);
+        }
         // COLMAP names its quaternion.
         let vision = axes.or((is_vision || self.has(F::Wxyz)).then_some(Axes::OPENCV));
         let exact = |m: DMat4| MatrixEntries::of_matrix(m, 1e-6);
@@ -236,7 +247,7 @@ impl Said<'_> {
         let target = if self.has(F::Target) { F::Target } else { F::Center };
         let up = |said: &mut Self| {
             let is_z = axes.is_some_and(|axes| axes.up == crate::camera::WorldUp::Z);
-            said.vector(F::Up).unwrap_or(if is_z { DVec3::Z } else { DVec3::Y })
+            said.vector(F::Sky).or_else(|| said.vector(F::Up)).unwrap_or(if is_z { DVec3::Z } else { DVec3::Y })
         };
         let units = self.sign.units;
         if self.has(F::Eye) && self.has(target) {
@@ -286,7 +297,7 @@ impl Said<'_> {
             let c = self.vector(if is_center { F::Center } else { F::Eye })?;
             return match rotation {
                 Turn::Matrix(r) if is_center => view(rigid(rows_of(r), -(r * c)), vision),
-                Turn::Matrix(r) => inverse(rigid(rows_of(r), c), vision, "position"),
+                Turn::Matrix(r) => inverse(rigid(rows_of(r), c * units), vision, "position"),
                 Turn::Quaternion(q, order) => {
                     let axes = axes.or(self.has(F::Fx).then_some(Axes::OPENCV));
                     seven([c.to_array().to_vec(), q], order, word("position", MatrixKind::CameraToWorld, axes, None))
@@ -324,6 +335,15 @@ impl Said<'_> {
         if let Some(r) = self.list(F::R) {
             let m = DMat3::from_mat4(matrix_of(&r, 3));
             return matrix(if self.sign.order == Some(Order::Columns) { m.transpose() } else { m });
+        }
+        if self.sign.axes == Some(Axes::UNREAL) {
+            let own = [F::Pitch, F::Yaw, F::Roll].map(|field| self.number(field));
+            let [pitch, yaw, roll] = match own {
+                [Some(pitch), Some(yaw), roll] => [pitch, yaw, roll.unwrap_or(0.0)],
+                _ => self.vector(F::Rotation3)?.to_array(),
+            }
+            .map(f64::to_radians);
+            return matrix(DMat3::from_euler(EulerRot::ZYX, yaw, -pitch, -roll));
         }
         let is_vector = self.has(F::Rvec) || self.has(F::Rotation3) && is_vision;
         if is_vector {

@@ -1,6 +1,8 @@
 //! The lens that the entries of a camera say, and the camera of some entries. Each entry ends in a list: used, or left
 //! out with a reason.
 
+use glam::DVec3;
+
 use super::camera::{Entry, Said, Side, Sign, matrix_of, word};
 use super::names::{Field as F, plain};
 use super::{GivenLens, LeftOut, MatrixTextError, Pasted, Size, Used, Why, image_size};
@@ -37,7 +39,22 @@ impl Said<'_> {
         if let Some(center) = self.pair(F::CenterX, F::CenterY) {
             lens.shift = center.map(|x| x / 2.0);
         }
+        let length = |said: &mut Self, field| said.vector(field).map(DVec3::length);
+        let own = if self.sign.is_pov() {
+            [F::Across, F::Up, F::Forward].map(|field| length(self, field))
+        } else {
+            [None; 3]
+        };
+        let [right, up, ahead] = own;
+        if right.is_some() {
+            lens.aspect = right.map(|right| right / up.unwrap_or(1.0));
+        }
         lens.size = self.size(&mut lens, parallel, image)?;
+        if lens.size == Size::Open && (right.is_some() || ahead.is_some()) {
+            lens.is_slope = parallel != Some(true);
+            let ahead = ahead.filter(|_| lens.is_slope).unwrap_or(1.0);
+            lens.size = Size::Length(Side::Across, right.unwrap_or(4.0 / 3.0) / ahead);
+        }
         if let (Some(offset), Some(gauge), Some(angle)) =
             (self.number(F::FilmOffset), self.number(F::FilmGauge), lens.degrees)
             && offset != 0.0

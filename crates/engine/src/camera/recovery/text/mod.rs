@@ -224,11 +224,12 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
         return Err(MatrixTextError::Latex);
     }
     let plain = tokens::without_comments(text);
+    let plain = if sign.is_pov() { files::pov(&plain) } else { plain };
     let start = plain.trim_start();
     let is_xml = start.starts_with('<') && (start.contains("</") || start.contains("/>"));
     let tree = if is_xml { tokens::xml_tree(start) } else { tree::read(&plain)? };
-
-    let by_parts = [files::gltf, files::open_mvg, files::metashape, files::three_js];
+    let by_parts =
+        [files::gltf, files::open_mvg, files::metashape, files::three_js, files::usd, files::collada, files::pbrt];
     if let Some(tree) = by_parts.into_iter().find_map(|read| read(&tree)) {
         return walk::cameras(&tree, sign);
     }

@@ -35,12 +35,14 @@ macro_rules! fields {
 // A name may stand inside another one: `fixed.width`. It has no capitals, underscores and blanks, but names of one
 // letter keep their capital. Those up to `Chain` are parts of a pose.
 fields! {
-    Eye 3 "C" "eye eyepoint eyeposition position campos camerapos cameraposition pos location origin vrp cameracenter from C position.set setposition \
+    Eye 3 "C" "eye eyepoint eyeposition position campos camerapos cameraposition pos location origin vrp cameracenter from C relativelocation position.set setposition \
         freecamera fromxyz setpositionandrotation.vector3 setactorlocationandrotation.fvector",
     /// The target beside an eye, else C.
     Center 3 "C" "center centre",
     Target 3 "PF" "target focalpoint camerafocalpoint lookat lookatpoint at focus cameratarget to setfocalpoint settarget PF pf interest",
-    Up 3 "VUP" "up vup viewup cameraup cameraviewup sky upvector up.set setviewup",
+    Up 3 "VUP" "up vup viewup cameraup cameraviewup upvector up.set setviewup",
+    /// Before Up.
+    Sky 3 "VUP" "sky",
     Forward 3 "DOP" "forward direction dir dop viewdirection lookdirection",
     Backward 3 "n" "viewnormal normal vpn",
     /// From the target to the camera in `Open3D`, ahead elsewhere.
@@ -51,8 +53,12 @@ fields! {
     Rvec 3 "R" "rvec rvecs rotationvector om r R",
     /// In radians, about x, y and z in this order.
     Euler 3 "R" "rotationeuler",
+    /// In degrees, of Unreal.
+    Pitch 1 "R" "pitch",
+    Yaw 1 "R" "yaw",
+    Roll 1 "R" "roll",
     /// Open what it is.
-    Rotation3 3 "R" "rotation",
+    Rotation3 3 "R" "rotation relativerotation",
     Quaternion 4 "q" "rotation quaternion orientation quat q rot",
     Wxyz 4 "q" "qvec wxyz quaternionwxyz",
     Xyzw 4 "q" "xyzw quaternionxyzw gltf.rotation",
@@ -123,6 +129,8 @@ fields! {
     Crop _ "window" "view.enabled",
     BinningX 1 "window" "binningx",
     BinningY 1 "window" "binningy",
+    /// Its length is that of the window in POV-Ray.
+    Across 3 "W" "right",
     BoundsMin 3 "window" "boundingboxmin",
     BoundsMax 3 "window" "boundingboxmax",
     Parallel _ "projection" "orthographic parallelprojection cameraparallelprojection parallelprojectionon orthogonal isorthographic",
@@ -137,7 +145,7 @@ fields! {
     /// A part of the pose that is in a product.
     Part _ "M_v" "part",
     /// Above a camera.
-    Scale 3 "window" "gltf.scale",
+    Scale 3 "window" "gltf.scale usd.scale collada.scale zup.scale",
     /// One number that says nothing of the image.
     Ignored 1 "window" "",
     /// It says nothing of the image.
@@ -146,7 +154,7 @@ fields! {
         rostopic camoverlaps timeshiftcamimu frameid seq stamp sec nanosec secs nsecs ndisp isint vmin vmax doffs focus parent current \
         boardwidth boardheight rootpath localpath caldatasource calibdatasource colmapimid sharpness aabbscale plyfilepath classname asset \
         scene scenes meshes materials accessors buffers bufferviews images textures samplers animations skins extensionsused structure \
-        controlpoints geometries description points2d cameraid imageid cameratype centerofrotation rotationfactor upaxis xformoporder \
+        controlpoints geometries xmlns film sampler integrator pixelfilter colorspace option worldbegin description points2d cameraid imageid cameratype centerofrotation rotationfactor upaxis xformoporder \
         interactionmode imagezoomlocked masksource frametime enabled nextid nextgroupid sensorid resolution.id rectifiedsize \
         startframe endframe dorectify numberofelements index fstop shutteropen shutterclose focusdistance",
     /// Another sensor.
@@ -183,6 +191,7 @@ impl Field {
 const OF_SEVERAL: &[Row] = &[
     ("lookat lookatrh lookatlh glulookat lookatmat4 cameraposition", &[F::Eye, F::Target, F::Up]),
     ("lookat", &[F::Eye, F::Target]),
+    ("frotator", &[F::Pitch, F::Yaw, F::Roll]),
     ("lookingat", &[F::Target, F::Up]),
     ("lookrotation makefromxz", &[F::Forward, F::Up]),
     ("intrinsics intrinsic", &[F::Fx, F::Fy, F::Cx, F::Cy]),
@@ -336,7 +345,12 @@ const WORDS: [Word; 42] = [
 ];
 
 /// Names of matrices that say all of them. A longer path ends in one.
-const NAMES: [Word; 6] = [
+const NAMES: [Word; 11] = [
+    Word::full("zup.matrix", MatrixKind::CameraToWorld, Axes::BLENDER, Order::Rows),
+    Word::full("usd.matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Rows),
+    Word::full("collada.matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Rows),
+    Word::full("pbrt.view", MatrixKind::View, Axes::DIRECT3D, Order::Rows),
+    Word::full("mirrored.view", MatrixKind::View, Axes::OPENGL, Order::Rows),
     Word::full("gltf.matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Rows),
     Word::full("three.js.matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Rows),
     Word::full("open3d.pose", MatrixKind::CameraToWorld, Axes::OPENCV, Order::Rows),

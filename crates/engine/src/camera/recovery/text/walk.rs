@@ -78,8 +78,8 @@ impl Scope {
 
 fn is_sensor(name: &str) -> bool {
     let name = name.to_lowercase();
-    ["velo", "lidar", "gps", "gyro", "accel", "inertial"].iter().any(|sensor| name.contains(sensor))
-        || name.split(['_', '.']).any(|part| matches!(part, "imu" | "imu0"))
+    ["lidar", "gps", "gyro", "accel", "inertial"].iter().any(|sensor| name.contains(sensor))
+        || name.split(['_', '.', '2']).any(|part| matches!(part, "imu" | "imu0") || part.starts_with("velo"))
 }
 
 /// Adds the entries of a node to a scope. `shown` is the path as it's written, `path` in plain names.
