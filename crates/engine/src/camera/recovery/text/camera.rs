@@ -78,7 +78,7 @@ const NONE: Sign =
     Sign { words: &[], axes: None, side: Side::Up, is_radians: None, order: None, units: 1.0, is_parallel: false };
 
 /// The likelier first.
-const SIGNS: [Sign; 29] = [
+const SIGNS: [Sign; 31] = [
     Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["fvector("], Axes::UNREAL) },
     Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["ucameracomponent"], Axes::UNREAL) },
     Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["frotator"], Axes::UNREAL) },
@@ -86,6 +86,8 @@ const SIGNS: [Sign; 29] = [
     Sign { is_radians: Some(true), ..sign(&["babylon"], Axes::DIRECT3D) },
     sign(&["lookrotation("], Axes::DIRECT3D),
     sign(&["nearclipplane"], Axes::DIRECT3D),
+    Sign { is_radians: Some(false), ..sign(&["near clip plane"], Axes::DIRECT3D) },
+    sign(&["lookatlh"], Axes::DIRECT3D),
     Sign {
         order: Some(Order::Columns),
         is_parallel: true,
@@ -309,7 +311,7 @@ impl Said<'_> {
             Turn::Matrix(r) => view(rigid(rows_of(r), t), vision),
             // A node of glTF.
             Turn::Quaternion(q, Some(false)) if self.has(F::Xyzw) || !is_vision => {
-                let said = word("rotation", MatrixKind::CameraToWorld, Some(Axes::OPENGL), None);
+                let said = word("rotation", MatrixKind::CameraToWorld, axes, None);
                 seven([self.vector(eye)?.to_array().to_vec(), q], Some(false), said)
             }
             Turn::Quaternion(q, order) => {

@@ -32,7 +32,8 @@ impl Said<'_> {
         let words = self.words();
         let parallel = self.is_on(F::Parallel).or_else(|| self.is_on(F::Perspective).map(|on| !on));
         let is_said = (words.contains("ortho") || words.contains("parallel")).then_some(true);
-        let parallel = parallel.or(is_said).or(self.sign.is_parallel.then_some(true));
+        let parallel =
+            parallel.or_else(|| self.is_on(F::Orthogonal)).or(is_said).or(self.sign.is_parallel.then_some(true));
         lens.zoom = if self.has(F::BoundsMin) { 1.0 } else { self.number(F::Zoom).unwrap_or(1.0) };
         lens.shift = [self.number(F::ShiftX), self.number(F::ShiftY)].map(|shift| shift.unwrap_or(0.0));
         lens.shift_of_height = lens.shift != [0.0; 2];
@@ -96,7 +97,8 @@ impl Said<'_> {
         let has_sensor = self.has(F::SensorWidth) || self.has(F::SensorHeight);
         let focal = if self.has(F::FocalMm) { F::FocalMm } else { F::Focal };
         let has_focal = self.has(focal) && parallel != Some(true) && (has_sensor || focal == F::FocalMm);
-        if let Some(k) = self.list(F::K) {
+        let of_four = |k: Vec<f64>| [&k[..3], &k[4..7], &k[8..11]].concat();
+        if let Some(k) = self.list(F::K).or_else(|| self.list(F::K4).map(of_four)) {
             // MATLAB and Open3D write it by columns.
             let by_columns = k[2] == 0.0 && k[5] == 0.0 && (k[6] != 0.0 || k[7] != 0.0);
             let k = if by_columns { matrix_of(&k, 3).transpose() } else { matrix_of(&k, 3) };
@@ -180,6 +182,7 @@ impl Said<'_> {
             return Ok(Size::Length(Side::Up, height / lens.near.unwrap_or(1.0)));
         }
         let height = self.number(F::Height).or(self.number(F::HalfHeight).map(|half| 2.0 * half));
+        let height = height.or_else(|| self.number(F::Extent).filter(|_| parallel == Some(true)));
         let width = self.number(F::Width).or(self.number(F::HalfWidth).map(|half| 2.0 * half));
         lens.aspect = lens.aspect.or(width.zip(height).map(|(width, height)| width / height));
         let Some((side, length)) = height.map(|h| (Side::Up, h)).or(width.map(|w| (Side::Across, w))) else {
@@ -224,6 +227,7 @@ fn account(pasted: &mut Pasted, said: &Said<'_>, is_rectified: bool) {
                 continue;
             }
             F::Skip | F::Ignored => Some(Why::SaysNothing),
+            F::Extent | F::Orthogonal if !is_taken => Some(Why::SaysNothing),
             F::NotCamera | F::Map9 | F::Map12 | F::Map16 => Some(Why::NotCamera),
             F::Model if is_no_pinhole(&entry.text.to_lowercase()) && !is_rectified => Some(Why::Fisheye),
             F::Model | F::Name | F::Part | F::FovAxis => None,

@@ -35,12 +35,12 @@ macro_rules! fields {
 // A name may stand inside another one: `fixed.width`. It has no capitals, underscores and blanks, but names of one
 // letter keep their capital. Those up to `Chain` are parts of a pose.
 fields! {
-    Eye 3 "C" "eye eyepoint eyeposition position campos camerapos cameraposition pos location origin vrp cameracenter from C relativelocation position.set setposition \
+    Eye 3 "C" "mlocalposition eye eyepoint eyeposition position campos camerapos cameraposition pos location origin vrp cameracenter from C relativelocation position.set setposition \
         freecamera fromxyz setpositionandrotation.vector3 setactorlocationandrotation.fvector",
     /// The target beside an eye, else C.
     Center 3 "C" "center centre",
-    Target 3 "PF" "target focalpoint camerafocalpoint lookat lookatpoint at focus cameratarget to setfocalpoint settarget PF pf interest",
-    Up 3 "VUP" "up vup viewup cameraup cameraviewup upvector up.set setviewup",
+    Target 3 "PF" "camtarget target focalpoint camerafocalpoint lookat lookatpoint at focus cameratarget to setfocalpoint settarget PF pf interest",
+    Up 3 "VUP" "camup up vup viewup cameraup cameraviewup upvector up.set setviewup",
     /// Before Up.
     Sky 3 "VUP" "sky",
     Forward 3 "DOP" "forward direction dir dop viewdirection lookdirection",
@@ -59,7 +59,7 @@ fields! {
     Roll 1 "R" "roll",
     /// Open what it is.
     Rotation3 3 "R" "rotation relativerotation",
-    Quaternion 4 "q" "rotation quaternion orientation quat q rot",
+    Quaternion 4 "q" "mlocalrotation rotation quaternion orientation quat q rot",
     Wxyz 4 "q" "qvec wxyz quaternionwxyz",
     Xyzw 4 "q" "xyzw quaternionxyzw gltf.rotation",
     AxisAngle 4 "R" "axisangle viewpoint.orientation",
@@ -71,8 +71,10 @@ fields! {
     /// From the camera before.
     Chain 16 "M_v" "tcncnm1",
     K 9 "K" "k K cameramatrix intrinsics intrinsic intrinsicmatrix matrix cam m mtx kmatrix newcameramatrix",
-    Fx 1 "f_x" "fx flx focallengthx focalx fu",
-    Fy 1 "f_y" "fy fly focallengthy focaly fv",
+    /// K in four rows.
+    K4 16 "K" "k K intrinsics intrinsic intrinsicmatrix colorintrinsic mcalibrationcolorintrinsic",
+    Fx 1 "f_x" "mu fx flx focallengthx focalx fu",
+    Fy 1 "f_y" "mv fy fly focallengthy focaly fv",
     Cx 1 "c_x" "cx ppx u0 principalpointx centerx cu",
     Cy 1 "c_y" "cy ppy v0 principalpointy centery cv",
     /// In pixels, or in millimetres beside a sensor.
@@ -87,7 +89,7 @@ fields! {
     /// The program decides which side it spans.
     Fov 1 "theta" "fov fieldofview angle setfieldofview",
     AngleX 1 "theta" "xfov fovx hfov cameraanglex horizontalfov",
-    AngleY 1 "theta" "yfov fovy vfov viewangle cameraviewangle setviewangle cameraangley fovdegrees verticalfov",
+    AngleY 1 "theta" "camva yfov fovy vfov viewangle cameraviewangle setviewangle cameraangley fovdegrees verticalfov",
     FovAxis _ "theta" "fovaxis",
     Aspect 1 "A" "aspect aspectratio setaspectratio",
     Near 1 "F" "near znear nearclip nearclipplane clipstart clipnear minz setorthonearclipplane orthonearclipplane F",
@@ -118,8 +120,8 @@ fields! {
     FilmGauge 1 "window" "filmgauge",
     PixelAspectX 1 "A" "pixelaspectx",
     PixelAspectY 1 "A" "pixelaspecty",
-    ImageWidth 1 "m" "imagewidth width w resolutionx resx imgwidth xresolution",
-    ImageHeight 1 "n" "imageheight height h resolutiony resy imgheight yresolution",
+    ImageWidth 1 "m" "mcolorwidth imagewidth width w resolutionx resx imgwidth xresolution",
+    ImageHeight 1 "n" "mcolorheight imageheight height h resolutiony resy imgheight yresolution",
     FullWidth 1 "window" "view.fullwidth",
     FullHeight 1 "window" "view.fullheight",
     CropX 1 "window" "view.offsetx roi.xoffset cropoffsetx",
@@ -135,22 +137,25 @@ fields! {
     BoundsMax 3 "window" "boundingboxmax",
     Parallel _ "projection" "orthographic parallelprojection cameraparallelprojection parallelprojectionon orthogonal isorthographic",
     Perspective _ "projection" "perspective",
+    /// Of Godot: 1 is parallel, and a size is that of its window.
+    Orthogonal 1 "projection" "projection",
+    Extent 1 "H" "size",
     Baseline 1 "baseline" "baseline",
     Distortion _ "window" "distok1 distok3 distot2 distortioncoefficients distortion distortions distcoeffs distcoef distcoeff distortioncoeffs lensdistortion \
         dist d D coeffs conrady brown radialdistortion tangentialdistortion kc",
     Coefficient 1 "window" "k1 k2 k3 k4 k5 k6 p1 p2 p3 p4 b1 b2 omega sx1 sy1",
     /// The model of the lens, or the kind of projection.
-    Model _ "projection" "polymorphicname cameramodel distortionmodel model type class projection mode setprojectionmode sensorfit fisheye isfisheye projectiontype",
+    Model _ "projection" "polymorphicname cameramodel distortionmodel modeltype model type class projection mode setprojectionmode sensorfit fisheye isfisheye projectiontype",
     Name _ "name" "name imgname filepath filename label imagename def DEF",
     /// A part of the pose that is in a product.
     Part _ "M_v" "part",
     /// Above a camera.
     Scale 3 "window" "gltf.scale usd.scale collada.scale zup.scale",
     /// One number that says nothing of the image.
-    Ignored 1 "window" "",
+    Ignored 1 "window" "frames.rotation",
     /// It says nothing of the image.
     Skip _ "window" "version versionmajor versionminor sfmdataversion uuid id idview idintrinsic idpose key polymorphicid interval isloop \
-        panel node layers generator metadata timestamp calibrationtime calibtime cornerdist nrofframes flags flagvalue avgreprojectionerror \
+        panel node layers mlocalscale generator metadata timestamp calibrationtime calibtime cornerdist nrofframes flags flagvalue avgreprojectionerror \
         rostopic camoverlaps timeshiftcamimu frameid seq stamp sec nanosec secs nsecs ndisp isint vmin vmax doffs focus parent current \
         boardwidth boardheight rootpath localpath caldatasource calibdatasource colmapimid sharpness aabbscale plyfilepath classname asset \
         scene scenes meshes materials accessors buffers bufferviews images textures samplers animations skins extensionsused structure \
@@ -181,8 +186,11 @@ impl Field {
 
     /// A part without which a lens says nothing.
     pub(crate) const fn is_lens(self) -> bool {
-        use Field::{AngleX, AngleY, Focal, FocalMm, Fov, Fx, HalfHeight, Height, K, Left, WindowHeight};
-        matches!(self, K | Fx | Focal | FocalMm | Fov | AngleX | AngleY | Left | Height | HalfHeight | WindowHeight)
+        use Field::{AngleX, AngleY, Focal, FocalMm, Fov, Fx, HalfHeight, Height, K, K4, Left, WindowHeight};
+        matches!(
+            self,
+            K | K4 | Fx | Focal | FocalMm | Fov | AngleX | AngleY | Left | Height | HalfHeight | WindowHeight
+        )
     }
 }
 
@@ -202,6 +210,8 @@ const OF_SEVERAL: &[Row] = &[
     ("getprojectiontransformmatrix", &[F::Aspect, F::Ignored, F::Ignored]),
     ("clippingrange setclippingrange cameraclippingrange nearfar", &[F::Near, F::Far]),
     ("perspective perspectiverhno perspectiverh gluperspective perspectivecamera", &[F::AngleY, F::Aspect, F::Near, F::Far]),
+    ("perspectivefovlh perspectivefovrh xmmatrixperspectivefovlh xmmatrixperspectivefovrh", &[F::AngleY, F::Aspect, F::Near, F::Far]),
+    ("pinhole", &[F::Fx, F::Fy, F::Cx, F::Cy, F::Coefficient, F::ImageWidth, F::ImageHeight]),
     ("setperspective", &[F::AngleY, F::Near, F::Far]),
     ("frustum frustumrhno frustumrh glfrustum", &[F::Left, F::Right, F::Bottom, F::Top, F::Near, F::Far]),
     ("makeperspective", &[F::Left, F::Right, F::Top, F::Bottom, F::Near, F::Far]),
@@ -250,6 +260,7 @@ pub(crate) fn meaning(path: &str, count: usize, is_inner: bool) -> Option<&'stat
         let is_end = path.strip_suffix(name).is_some_and(|before| before.is_empty() || before.ends_with('.'));
         let fits = match fields {
             [F::Model | F::Name | F::FovAxis] => count == 0,
+            [F::Parallel | F::Perspective | F::Crop] => count < 2 && !is_inner,
             [field] => field.count().map_or(!is_inner || field.is_left_out(), |fixed| fixed == count),
             _ => !is_inner && fields.iter().map(|field| field.count().unwrap_or(0)).sum::<usize>() == count,
         };
@@ -297,7 +308,8 @@ const fn with_axes(word: &'static str, kind: MatrixKind, axes: Axes) -> Word {
 }
 
 /// Without regard to capitals and underscores. A word stands before the shorter ones that it contains.
-const WORDS: [Word; 42] = [
+const WORDS: [Word; 43] = [
+    Word { is_weak: true, ..row("camerapose", MatrixKind::CameraToWorld) },
     row("worldviewproj", MatrixKind::ViewProjection),
     row("modelviewproj", MatrixKind::ViewProjection),
     row("viewproj", MatrixKind::ViewProjection),
@@ -345,7 +357,7 @@ const WORDS: [Word; 42] = [
 ];
 
 /// Names of matrices that say all of them. A longer path ends in one.
-const NAMES: [Word; 11] = [
+const NAMES: [Word; 12] = [
     Word::full("zup.matrix", MatrixKind::CameraToWorld, Axes::BLENDER, Order::Rows),
     Word::full("usd.matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Rows),
     Word::full("collada.matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Rows),
@@ -356,6 +368,7 @@ const NAMES: [Word; 11] = [
     Word::full("open3d.pose", MatrixKind::CameraToWorld, Axes::OPENCV, Order::Rows),
     Word::full("metashape.transform", MatrixKind::CameraToWorld, Axes::OPENCV, Order::Rows),
     Word { is_weak: true, ..row("transform", MatrixKind::CameraToWorld) },
+    Word { is_weak: true, ..row("pose", MatrixKind::CameraToWorld) },
     Word { is_weak: true, ..Word::full("matrix", MatrixKind::CameraToWorld, Axes::OPENGL, Order::Columns) },
 ];
 

@@ -13,7 +13,8 @@ pub(crate) enum Token {
     Close(char),
     Comma,
     Semicolon,
-    Assign,
+    /// True for `: `.
+    Assign(bool),
     /// A dash before an item of YAML.
     Dash,
     /// The end of a line: the indentation of the next one, and if an empty one lies between.
@@ -92,7 +93,7 @@ impl Reader<'_> {
                 ']' | ')' | '}' | '>' => Token::Close(c),
                 ',' if !self.decimal_commas => Token::Comma,
                 ';' | '\\' => Token::Semicolon,
-                ':' | '=' => Token::Assign,
+                ':' | '=' => Token::Assign(c == ':' && after.starts_with(char::is_whitespace)),
                 _ if c.is_whitespace() || is_separator(c) => {
                     self.skip(c.len_utf8());
                     continue;
@@ -177,6 +178,8 @@ pub(crate) fn written(part: &str) -> Option<Written> {
     // Suffixes of C, C# and Rust.
     let suffixes = ["_f32", "_f64", "f32", "f64", "f", "F", "d", "D", "L"];
     let bare = suffixes.iter().find_map(|suffix| part.strip_suffix(suffix)).unwrap_or(part);
+    let quotient = bare.replace("f/", "/");
+    let bare = if begins_number(bare) { quotient.as_str() } else { bare };
     let bare_value =
         bare.parse().ok().or_else(|| expression::evaluate(bare.trim_start_matches('+'), Dimension::Number).ok());
     let value: f64 = bare_value?;

@@ -251,24 +251,31 @@ impl Reader<'_> {
                         self.factor = factor;
                     }
                 }
+                Token::Word(word) if word == "/" && all.is_run => {
+                    if let &Token::Number(by) = self.peek() {
+                        self.token();
+                        all.divide(by.value);
+                    }
+                }
                 Token::Word(word) => all.word(word),
                 Token::Quoted(text) => {
                     let is_name = match self.peek() {
-                        Token::Assign => true,
+                        Token::Assign(_) => true,
                         Token::Number(_) | Token::Open(_) => !all.waits(),
                         _ => false,
-                    } || is_typed(&text);
+                    };
                     match text.split_whitespace().last() {
-                        Some(last) if is_name => all.word(last.to_owned()),
+                        Some(last) if is_typed(&text) => all.word(last.to_owned()),
+                        Some(_) if is_name => all.word(text),
                         _ => all.text(&text),
                     }
                 }
-                Token::Assign => {
+                Token::Assign(is_label) => {
                     self.factor = 1.0;
-                    while matches!(self.peek(), Token::Assign) {
+                    while matches!(self.peek(), Token::Assign(_)) {
                         self.token();
                     }
-                    all.assign(self.indent);
+                    all.assign(self.indent, is_label);
                 }
                 Token::Dash if close.is_none() && depth < DEPTH => {
                     all.finish();
@@ -378,6 +385,15 @@ impl Sequence {
         (self.is_run, self.in_line, self.fresh) = (true, self.in_line + 1, false);
     }
 
+    /// Divides the last number.
+    fn divide(&mut self, by: f64) {
+        if let Some(Node { value: Value::Numbers(numbers, _), .. }) = self.values.last_mut()
+            && let Some(last) = numbers.last_mut()
+        {
+            *last = Written { value: last.value / by, error: 0.0 };
+        }
+    }
+
     fn push(&mut self, value: Value) {
         self.begin();
         self.values.push(Node::new("", value));
@@ -408,9 +424,13 @@ impl Sequence {
         }
     }
 
-    fn assign(&mut self, indent: usize) {
+    /// Words before `: ` are one name.
+    fn assign(&mut self, indent: usize, is_label: bool) {
         let mut names = std::mem::take(&mut self.pending);
         let has_commas = std::mem::take(&mut self.has_commas);
+        if is_label && !has_commas && !names.is_empty() {
+            names = vec![names.join(" ")];
+        }
         self.finish();
         let last = names.pop().unwrap_or_default();
         if !has_commas {
@@ -449,7 +469,14 @@ impl Sequence {
         } else if names.len() > 1 {
             self.done.extend(shared(&names, values));
         } else if let Some(name) = names.into_iter().next() {
-            self.done.push(Node { call, ..Node::new(&name, fold(values)) });
+            let mut node = Node { call, ..Node::new(&name, fold(values)) };
+            // `radians(45)` is in degrees.
+            let is_angle = |name: &str| name.to_lowercase().ends_with("radians");
+            if let (Value::Numbers(numbers, _), true) = (&mut node.value, is_angle(&name) || is_angle(&node.call)) {
+                numbers.iter_mut().for_each(|number| number.value = number.value.to_radians());
+                node.name = if is_angle(&name) { String::new() } else { name };
+            }
+            self.done.push(node);
         } else {
             self.done.extend(values);
         }

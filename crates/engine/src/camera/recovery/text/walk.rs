@@ -131,6 +131,7 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
         if is_foreign && !path.ends_with("tcamimu") && !path.ends_with("timucam") {
             return scope.entries.push(entry(&[F::NotCamera], "", None, node.numbers()));
         }
+        let is_vector = |fields: &&'static [Field]| matches!(fields, [F::Eye | F::Target | F::Center | F::Up]);
         for path in [&path, &call] {
             let stripped = path.trim_end_matches(|c: char| c.is_ascii_digit());
             let found = meaning(path, count, is_inner).map(|fields| (fields, ""));
@@ -138,7 +139,12 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
                 let fields = meaning(stripped, count, is_inner).filter(|_| stripped.len() < path.len())?;
                 Some((fields, &path[stripped.len()..]))
             };
-            if let Some((fields, index)) = found.or_else(numbered) {
+            // A vector with its w.
+            let with_w = || {
+                let fields = meaning(path, 3, is_inner).filter(is_vector).filter(|_| count == 4)?;
+                matches!(node.values()[3], 0.0 | 1.0).then_some((fields, ""))
+            };
+            if let Some((fields, index)) = found.or_else(numbered).or_else(with_w) {
                 let order = node.children().first().map(|child| child.name.as_str());
                 let fields = match (fields, order) {
                     ([F::Quaternion], Some("w" | "qw")) => &[F::Wxyz],
@@ -146,7 +152,9 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
                     ([F::K], _) if !is_k(&node.values()) => &[F::R],
                     (fields, _) => fields,
                 };
-                return scope.entries.push(entry(fields, index, None, node.numbers()));
+                let (mut numbers, lines) = node.numbers();
+                numbers.truncate(if is_vector(&fields) { 3 } else { numbers.len() });
+                return scope.entries.push(entry(fields, index, None, (numbers, lines)));
             }
             let is_matrix =
                 |word: &names::Word| count == 12 || count == 16 && word.kind != Some(MatrixKind::Intrinsics);
@@ -174,7 +182,7 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
             }
             scope.inner.push(inner);
         }
-        Value::Numbers(..) if node.is_shape() => {}
+        Value::Numbers(..) if node.is_shape() => scope.entries.push(entry(&[F::Skip], "", None, node.numbers())),
         _ => scope.entries.push(entry(&[F::Unknown], "", None, node.numbers())),
     }
 }
@@ -226,7 +234,14 @@ fn split(scope: Scope, outer: Vec<Entry>, found: &mut Vec<(String, Vec<Entry>)>)
         own.extend(outer);
         let shared = inherited(own);
         for camera in cameras {
+            let (name, at) = (camera.name.clone(), found.len());
             split(camera, shared.clone(), found);
+            // Its name may be a word of the table: left, right, front.
+            if let [(title, _)] = &mut found[at..]
+                && title.is_empty()
+            {
+                *title = name;
+            }
         }
     } else {
         // One camera in parts, or a list inside.
