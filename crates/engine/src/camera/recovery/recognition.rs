@@ -166,7 +166,8 @@ fn capped(mut found: Recognised, pasted: &Pasted) -> Recognised {
     let best = &mut found.readings[0];
     let is_partial = pasted.left_out.iter().any(|left| left.why.changes_image() != Some(false));
     let is_bare = best.reading.kind == MatrixKind::LookAt && pasted.word.is_none();
-    if is_partial || is_bare {
+    // The range of NDC of M_p beside a pose may be another one.
+    if is_partial || is_bare || pasted.projection.is_some() {
         best.certainty = best.certainty.min(Certainty::Likely);
     }
     found
@@ -251,6 +252,15 @@ fn candidate(
     reading.ndc.infinite |= reading.kind.has_ndc() && found.unknown.contains(&Unknown::Far);
     if let Some(lens) = pasted.lens.filter(|_| reading.kind.has_camera_axes() || reading.kind == MatrixKind::LookAt) {
         with_lens(&mut found, (lens, pasted.image.is_some()), &reading, current)?;
+    }
+    if let Some(projection) = &pasted.projection {
+        let stated = Stated { kind: Some(MatrixKind::Projection), axes: None, ..*stated };
+        let lens = recognise(projection, &stated, current)?.best().found.clone();
+        let Parameters { position, focal_point, view_up, .. } = found.parameters;
+        found.parameters = Parameters { position, focal_point, view_up, ..lens.parameters };
+        let of_lens = |unknown: &Unknown| matches!(unknown, Unknown::Lens | Unknown::Window | Unknown::ClippingPlanes);
+        found.unknown.retain(|unknown| !of_lens(unknown));
+        found.unknown.extend(lens.unknown.into_iter().filter(|unknown| *unknown != Unknown::Pose));
     }
     found.unknown.extend(pasted.is_scaled.then_some(Unknown::Scaled));
     found.unknown.extend(pasted.is_origin.then_some(Unknown::RigOrigin));

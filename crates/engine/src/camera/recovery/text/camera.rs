@@ -227,7 +227,7 @@ impl Said<'_> {
             let said = Word::full("P", MatrixKind::Pinhole, Axes::OPENCV, Order::Rows);
             return Some((MatrixEntries::new(numbers.to_vec(), Some(4))?, said));
         }
-        if let Some((at, numbers)) = self.written(F::Matrix) {
+        if let Some((at, numbers)) = self.written(F::Matrix).or_else(|| self.written(F::Projection)) {
             let entry = &self.entries[at];
             let entries = MatrixEntries::new(numbers.to_vec(), in_line(&entry.lines))?;
             let mut said = entry.word?;
@@ -322,6 +322,12 @@ impl Said<'_> {
         }
     }
 
+    /// M_p alone.
+    pub(crate) fn only_projection(&mut self) -> Option<Pose> {
+        self.first.retain(|(field, ..)| *field == F::Projection);
+        self.pose(false)
+    }
+
     /// From the target to the camera, as `VisIt` and `Open3D` keep it.
     fn distance(&mut self) -> Option<f64> {
         let tangent = |said: &mut Self, field| Some((said.number(field)?.to_radians() / 2.0).tan());
@@ -357,6 +363,9 @@ impl Said<'_> {
         }
         if let Some(a) = self.vector(F::Euler) {
             return matrix(DMat3::from_euler(EulerRot::ZYX, a.z, a.y, a.x));
+        }
+        if self.sign.words == ["viewpoint"] && !self.has(F::Quaternion) {
+            return matrix(DMat3::IDENTITY);
         }
         let orders = [(F::Wxyz, Some(true)), (F::Xyzw, Some(false)), (F::Quaternion, None)];
         orders.into_iter().find_map(|(field, order)| Some(Turn::Quaternion(self.list(field)?, order)))

@@ -294,6 +294,13 @@ pub(crate) fn assemble(name: &str, entries: &[Entry], sign: Sign) -> Pasted {
     if let (Some(Part { corner, binning, .. }), Some(entries)) = (part, &mut pasted.entries) {
         entries.crop(corner, binning);
     }
+    // M_p beside a pose is its lens.
+    let has_pose =
+        pasted.word.and_then(|word| word.kind).is_some_and(|kind| kind.has_camera_axes() || kind == MatrixKind::LookAt);
+    if has_pose && let Some(lens) = Said::new(entries, sign).only_projection() {
+        said.list(F::Projection);
+        pasted.projection = Some(Box::new(Pasted { entries: Some(lens.0), word: Some(lens.1), ..Pasted::default() }));
+    }
     let d = pasted.entries.as_ref().and_then(distance_of);
     if let Some(lens) = &mut pasted.lens {
         if let Some(d) = d {

@@ -32,6 +32,8 @@ pub struct Pasted {
     pub(crate) entries: Option<MatrixEntries>,
     /// The part of the reading that the text states.
     pub(crate) word: Option<Word>,
+    /// M_p beside its pose.
+    pub(crate) projection: Option<Box<Self>>,
     /// The lens that goes with it.
     pub(crate) lens: Option<GivenLens>,
     /// The size of its image.
@@ -227,7 +229,7 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
     let plain = if sign.is_pov() { files::pov(&plain) } else { plain };
     let start = plain.trim_start();
     let is_xml = start.starts_with('<') && (start.contains("</") || start.contains("/>"));
-    let tree = if is_xml { tokens::xml_tree(start) } else { tree::read(&plain)? };
+    let tree = if is_xml { files::xml_tree(start) } else { tree::read(&plain)? };
     let by_parts =
         [files::gltf, files::open_mvg, files::metashape, files::three_js, files::usd, files::collada, files::pbrt];
     if let Some(tree) = by_parts.into_iter().find_map(|read| read(&tree)) {

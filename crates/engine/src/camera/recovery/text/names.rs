@@ -68,6 +68,8 @@ fields! {
     /// Sixteen numbers, or twelve. A word says which.
     Matrix 1 "M_v" "",
     Pinhole 12 "K [R | t]" "p P prect projectionmatrix",
+    /// M_p beside a pose.
+    Projection 16 "M_p" "",
     /// From the camera before.
     Chain 16 "M_v" "tcncnm1",
     K 9 "K" "k K cameramatrix intrinsics intrinsic intrinsicmatrix matrix cam m mtx kmatrix newcameramatrix",
@@ -88,12 +90,12 @@ fields! {
     PixelHeight 1 "window" "",
     /// The program decides which side it spans.
     Fov 1 "theta" "fov fieldofview angle setfieldofview",
-    AngleX 1 "theta" "xfov fovx hfov cameraanglex horizontalfov",
-    AngleY 1 "theta" "camva yfov fovy vfov viewangle cameraviewangle setviewangle cameraangley fovdegrees verticalfov",
+    AngleX 1 "theta" "fovh xfov fovx hfov cameraanglex horizontalfov",
+    AngleY 1 "theta" "fovv camva yfov fovy vfov viewangle cameraviewangle setviewangle cameraangley fovdegrees verticalfov",
     FovAxis _ "theta" "fovaxis",
     Aspect 1 "A" "aspect aspectratio setaspectratio",
-    Near 1 "F" "near znear nearclip nearclipplane clipstart clipnear minz setorthonearclipplane orthonearclipplane F",
-    Far 1 "B" "far zfar farclip farclipplane clipend clipfar maxz setorthofarclipplane orthofarclipplane B",
+    Near 1 "F" "nearplanedistance nearclippingplane neardistance near znear nearclip nearclipplane clipstart clipnear minz setorthonearclipplane orthonearclipplane F",
+    Far 1 "B" "farplanedistance farclippingplane fardistance far zfar farclip farclipplane clipend clipfar maxz setorthofarclipplane orthofarclipplane B",
     /// From the target, as in `VisIt`.
     NearOfTarget 1 "F" "nearplane",
     FarOfTarget 1 "B" "farplane",
@@ -146,7 +148,7 @@ fields! {
     Coefficient 1 "window" "k1 k2 k3 k4 k5 k6 p1 p2 p3 p4 b1 b2 omega sx1 sy1",
     /// The model of the lens, or the kind of projection.
     Model _ "projection" "polymorphicname cameramodel distortionmodel modeltype model type class projection mode setprojectionmode sensorfit fisheye isfisheye projectiontype",
-    Name _ "name" "name imgname filepath filename label imagename def DEF",
+    Name _ "name" "cameraname name imgname filepath filename label imagename def DEF",
     /// A part of the pose that is in a product.
     Part _ "M_v" "part",
     /// Above a camera.
@@ -208,7 +210,9 @@ const OF_SEVERAL: &[Row] = &[
     ("sensor sensorsize", &[F::SensorWidth, F::SensorHeight]),
     ("pixelsizemm", &[F::PixelWidth, F::PixelHeight]),
     ("getprojectiontransformmatrix", &[F::Aspect, F::Ignored, F::Ignored]),
-    ("clippingrange setclippingrange cameraclippingrange nearfar", &[F::Near, F::Far]),
+    ("setviewoffset", &[F::FullWidth, F::FullHeight, F::CropX, F::CropY, F::CropWidth, F::CropHeight]),
+    ("format", &[F::ImageWidth, F::ImageHeight, F::Ignored]),
+    ("clippingrange setclippingrange cameraclippingrange nearfar clipping", &[F::Near, F::Far]),
     ("perspective perspectiverhno perspectiverh gluperspective perspectivecamera", &[F::AngleY, F::Aspect, F::Near, F::Far]),
     ("perspectivefovlh perspectivefovrh xmmatrixperspectivefovlh xmmatrixperspectivefovrh", &[F::AngleY, F::Aspect, F::Near, F::Far]),
     ("pinhole", &[F::Fx, F::Fy, F::Cx, F::Cy, F::Coefficient, F::ImageWidth, F::ImageHeight]),
@@ -224,7 +228,7 @@ const OF_SEVERAL: &[Row] = &[
     ("setfrustum", &[F::WindowHeight, F::OffsetX, F::OffsetY, F::Near, F::Far]),
     ("setorthogonal", &[F::Parallel, F::Height, F::Near, F::Far]),
     ("setwindowcenter windowcenter", &[F::CenterX, F::CenterY]),
-    ("resolution size imagesize srect s viewportpx imsize imgsize imageresolution", &[F::ImageWidth, F::ImageHeight]),
+    ("windowsize resolution size imagesize srect s viewportpx imsize imgsize imageresolution", &[F::ImageWidth, F::ImageHeight]),
     ("perspectivecameras.imagesize orthographiccameras.imagesize", &[F::ImageHeight, F::ImageWidth]),
 ];
 

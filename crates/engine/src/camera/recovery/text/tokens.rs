@@ -1,6 +1,5 @@
 //! A text → its marks, words and numbers.
 
-use super::tree::{DEPTH, Node, Value, fold, listed};
 use crate::camera::recovery::reading::Written;
 use crate::expression::{self, Dimension};
 
@@ -85,6 +84,14 @@ impl Reader<'_> {
                 if let Some(text) = self.quoted(c) {
                     return Token::Quoted(text);
                 }
+                continue;
+            }
+            // A unit: `FOV (degrees): 35`.
+            if let Some((unit, rest)) = after.split_once(')').filter(|_| c == '(')
+                && unit.chars().all(char::is_alphabetic)
+                && rest.trim_start_matches(' ').starts_with(':')
+            {
+                self.skip(unit.len() + 2);
                 continue;
             }
             let is_bracket = c != '<' || after.starts_with(|c: char| c.is_alphanumeric() || "+-. ".contains(c));
@@ -176,7 +183,7 @@ pub(crate) fn written(part: &str) -> Option<Written> {
         return None;
     }
     // Suffixes of C, C# and Rust.
-    let suffixes = ["_f32", "_f64", "f32", "f64", "f", "F", "d", "D", "L"];
+    let suffixes = ["mm", "°", "deg", "_f32", "_f64", "f32", "f64", "f", "F", "d", "D", "L"];
     let bare = suffixes.iter().find_map(|suffix| part.strip_suffix(suffix)).unwrap_or(part);
     let quotient = bare.replace("f/", "/");
     let bare = if begins_number(bare) { quotient.as_str() } else { bare };
@@ -253,80 +260,4 @@ pub(crate) fn has_decimal_commas(text: &str) -> bool {
         })
     };
     text.contains(',') && text.split_whitespace().all(is_decimal)
-}
-
-/// The numbers of a text, or the text.
-fn content(text: &str) -> Value {
-    match listed(text) {
-        Some(numbers) => {
-            let lines = text.lines().map(|line| line.split_whitespace().count()).filter(|count| *count > 0).collect();
-            Value::Numbers(numbers, lines)
-        }
-        None => Value::Word(text.to_owned()),
-    }
-}
-
-/// The tree of XML.
-pub(crate) fn xml_tree(text: &str) -> Node {
-    Node::new("", fold(xml(text)))
-}
-
-/// The elements of XML: attributes are nodes as well. An attribute that names an element is its name.
-fn xml(text: &str) -> Vec<Node> {
-    let mut open: Vec<(Node, Vec<Node>)> = vec![Default::default()];
-    let mut rest = text;
-    while let Some(at) = rest.find('<') {
-        let between = rest[..at].trim();
-        // There is always the whole.
-        if let Some((_, inner)) = open.last_mut().filter(|_| !between.is_empty()) {
-            inner.push(Node::new("", content(between)));
-        }
-        rest = &rest[at..];
-        let end = if rest.starts_with("<!--") { "-->" } else { ">" };
-        let Some(length) = rest.find(end) else { break };
-        let tag = &rest[1..length];
-        rest = &rest[length + end.len()..];
-        if tag.starts_with(['?', '!']) {
-            continue;
-        }
-        if !tag.starts_with('/') && open.len() <= DEPTH {
-            open.push(element(tag.trim_end_matches('/')));
-        }
-        if (tag.starts_with('/') || tag.ends_with('/')) && open.len() > 1 {
-            // It has more than the whole.
-            close(&mut open);
-        }
-    }
-    while open.len() > 1 {
-        close(&mut open);
-    }
-    open.pop().map(|(_, inner)| inner).unwrap_or_default()
-}
-
-/// Puts the last open element into the one around it.
-fn close(open: &mut Vec<(Node, Vec<Node>)>) {
-    if let Some((mut node, inner)) = open.pop()
-        && let Some((_, outer)) = open.last_mut()
-    {
-        node.value = fold(inner);
-        outer.push(node);
-    }
-}
-
-fn element(tag: &str) -> (Node, Vec<Node>) {
-    let (name, mut rest) = tag.split_once(char::is_whitespace).unwrap_or((tag, ""));
-    let mut node = Node { name: name.to_owned(), call: name.to_owned(), ..Node::default() };
-    let mut inner = Vec::new();
-    while let Some((key, after)) = rest.split_once('=') {
-        let after = after.trim_start();
-        let Some(mark) = after.chars().next().filter(|c| matches!(c, '"' | '\'')) else { break };
-        let Some((value, after)) = after[1..].split_once(mark) else { break };
-        rest = after;
-        match key.trim() {
-            "name" | "sid" if name != "node" && name != "camera" => value.clone_into(&mut node.name),
-            "value" | "data" => inner.push(Node::new("", content(value))),
-            key => inner.push(Node::new(key, content(value))),
-        }
-    }
-    (node, inner)
 }

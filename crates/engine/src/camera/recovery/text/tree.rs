@@ -5,6 +5,7 @@
 
 use crate::camera::recovery::MatrixTextError;
 use crate::camera::recovery::reading::Written;
+use crate::camera::recovery::text::names::{meaning, plain as plain_name};
 use crate::camera::recovery::text::tokens::{Reader, Token};
 use crate::camera::recovery::text::tokens::{has_decimal_commas, is_separator, without_indices, written};
 
@@ -187,7 +188,7 @@ fn plain(text: &str) -> Result<Vec<Node>, MatrixTextError> {
     // A section of TOML has all that follows.
     let mut all: Vec<Node> = Vec::new();
     let mut is_inside = false;
-    for mut node in nodes {
+    for mut node in components(nodes) {
         if node.name.starts_with('[') {
             node.name.remove(0);
             (is_inside, node.call) = (true, "section".to_owned());
@@ -199,6 +200,36 @@ fn plain(text: &str) -> Result<Vec<Node>, MatrixTextError> {
         }
     }
     Ok(all)
+}
+
+/// `position.x`, `position.y` and `position.z` are one vector, and a node of VRML has its name before it.
+fn components(nodes: Vec<Node>) -> Vec<Node> {
+    let mut all: Vec<Node> = Vec::new();
+    for mut node in nodes {
+        if let [.., def, own] = &all[..]
+            && def.name == "DEF"
+        {
+            (node.call, node.name) = (node.name, own.name.clone());
+            all.truncate(all.len() - 2);
+        }
+        let base = node.name.strip_suffix(['x', 'y', 'z', 'w']).and_then(|name| name.strip_suffix(['.', '_']));
+        let base = base
+            .filter(|base| {
+                !base.is_empty() && node.count() == 1 && meaning(&plain_name(&node.name), 1, false).is_none()
+            })
+            .map(str::to_owned);
+        match (base, all.last_mut()) {
+            (Some(base), Some(Node { name, value: Value::Inner(parts), .. })) if *name == base && !parts.is_empty() => {
+                parts.push(Node { name: node.name[base.len() + 1..].to_owned(), ..node });
+            }
+            (Some(base), _) if matches!(node.name.as_bytes(), [.., b'x' | b'w']) => {
+                let part = Node { name: node.name[base.len() + 1..].to_owned(), ..node };
+                all.push(Node::new(&base, Value::Inner(vec![part])));
+            }
+            _ => all.push(node),
+        }
+    }
+    all
 }
 
 impl Reader<'_> {
@@ -251,12 +282,15 @@ impl Reader<'_> {
                         self.factor = factor;
                     }
                 }
-                Token::Word(word) if word == "/" && all.is_run => {
-                    if let &Token::Number(by) = self.peek() {
+                // `1280 x 720`, and `16.0 / 9.0`.
+                Token::Word(word) if matches!(word.as_str(), "/" | "x" | "×") && all.is_run => match self.peek() {
+                    &Token::Number(by) if word == "/" => {
                         self.token();
                         all.divide(by.value);
                     }
-                }
+                    Token::Number(_) => {}
+                    _ => all.word(word),
+                },
                 Token::Word(word) => all.word(word),
                 Token::Quoted(text) => {
                     let is_name = match self.peek() {

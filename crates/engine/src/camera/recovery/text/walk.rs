@@ -165,7 +165,11 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
             if let Some(word) = word {
                 let is_pixels =
                     count == 12 && matches!(word.kind, Some(MatrixKind::Projection | MatrixKind::Intrinsics));
-                let fields: &[Field] = if is_pixels { &[F::Pinhole] } else { &[F::Matrix] };
+                let fields: &[Field] = match word.kind {
+                    _ if is_pixels => &[F::Pinhole],
+                    Some(MatrixKind::Projection) => &[F::Projection],
+                    _ => &[F::Matrix],
+                };
                 let index = &path[path.trim_end_matches(|c: char| c.is_ascii_digit()).len()..];
                 return scope.entries.push(entry(fields, index, Some(word), node.numbers()));
             }
@@ -237,8 +241,9 @@ fn split(scope: Scope, outer: Vec<Entry>, found: &mut Vec<(String, Vec<Entry>)>)
             let (name, at) = (camera.name.clone(), found.len());
             split(camera, shared.clone(), found);
             // Its name may be a word of the table: left, right, front.
-            if let [(title, _)] = &mut found[at..]
-                && title.is_empty()
+            if let [(title, entries)] = &mut found[at..]
+                && !name.is_empty()
+                && !entries.iter().any(|entry| entry.fields == [F::Name] && entry.text == *title)
             {
                 *title = name;
             }
