@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use std::ops::Range;
+
 use camera_lab_engine::camera::{
     Camera, Certainty, ImageSize, Parameters, Pasted, Projection, RecoveryError, Stated, Why, camera_names,
     read_cameras, recognise,
@@ -250,14 +252,12 @@ fn two_lines_of_tum_are_two_poses() {
     assert!(camera.position().abs_diff_eq(DVec3::new(1.0, 2.0, 3.0), 1e-12) || camera.position().y == 3.0);
 }
 
-/// Texts with an entry in each line, after which nothing else follows.
-const LINES: [&str; 5] = [
-    "eye = (2, 3, 8)\ncenter = (0, 1, 0)\nup = (0, 1, 0.5)\nfov = 40\nnear = 0.5\nfar = 60",
-    "K = [800 0 320; 0 810 240; 0 0 1]\nR = [0 0 1; 0 1 0; -1 0 0]\nt = [0.1; 0.2; 3]\nimageSize = [640 480]\ndistCoeffs = [0.1 0.2 0 0]",
-    "fx = 606.5\nfy = 606.25\ncx = 321.5\ncy = 247.5\nwidth = 640\nheight = 480\nversion = 3\nserial = 4711",
-    "camera.SetPosition(4, 3, 5)\ncamera.SetFocalPoint(0, 1, 0)\ncamera.SetViewUp(0, 1, 0.25)\ncamera.SetViewAngle(50)\ncamera.SetClippingRange(0.5, 80)",
-    "resolution: [752, 480]\nintrinsics: [458.654, 457.296, 367.215, 248.375]\nT_BS: [0, 1, 0, 0.1, -1, 0, 0, 0.2, 0, 0, 1, 0.3, 0, 0, 0, 1]\nrate_hz: 20",
-];
+/// Texts of other programs, of the kind of public questions, each behind a line with its name.
+const TEXTS: &str = include_str!("camera_texts.txt");
+
+fn texts() -> impl Iterator<Item = (&'static str, &'static str)> {
+    TEXTS.split("=== ").filter_map(|part| part.split_once('\n'))
+}
 
 /// The answer to a text: each camera with its entries, or the message.
 fn answer(text: &str) -> String {
@@ -270,40 +270,87 @@ fn answer(text: &str) -> String {
     }
 }
 
-/// An entry that is deleted, doubled, renamed, or that changes places with the value of another one is noticed.
+/// The places of names and of numbers in a text, without its comments.
+fn words(text: &str) -> Vec<Range<usize>> {
+    let is_part = |c: char| c.is_alphanumeric() || "_.+-".contains(c);
+    let mut all = Vec::new();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let comment = ["#", "//", "%", "<?"].iter().any(|mark| line.trim_start().starts_with(mark));
+        let mut at = start;
+        for part in line.split(|c| !is_part(c)).filter(|_| !comment) {
+            if !part.is_empty() {
+                all.push(at..at + part.len());
+            }
+            at += part.len() + text[at + part.len()..].chars().next().map_or(0, char::len_utf8);
+        }
+        start += line.len();
+    }
+    all
+}
+
+/// An entry that is deleted, doubled or renamed, and two numbers that change places, are noticed.
 #[test]
 fn no_change_of_an_entry_goes_unnoticed() {
-    for text in LINES {
-        let lines: Vec<&str> = text.lines().collect();
+    let (mut count, mut unnoticed) = (0, Vec::new());
+    for (id, text) in texts() {
         let right = answer(text);
-        let changed = |lines: Vec<String>, what: &str| {
-            let text = lines.join("\n");
-            assert_ne!(answer(&text), right, "{what}:\n{text}");
+        let mut check = |what: &str, changed: String| {
+            count += 1;
+            if changed != text && answer(&changed) == right {
+                unnoticed.push(format!("{id}: {what}"));
+            }
         };
-        let all = || lines.iter().map(|line| (*line).to_owned());
-        let begin = |line: &str| line.find([' ', ':', '=', '(']).unwrap();
-        for at in 0..lines.len() {
-            changed(all().enumerate().filter(|(k, _)| *k != at).map(|(_, line)| line).collect(), "deleted");
-            changed(all().chain([lines[at].to_owned()]).collect(), "doubled");
-            let renamed = format!("{}xyz{}", &lines[at][..begin(lines[at])], &lines[at][begin(lines[at])..]);
-            changed(
-                all().enumerate().map(|(k, line)| if k == at { renamed.clone() } else { line }).collect(),
-                "renamed",
-            );
-            for other in 0..at {
-                let (a, b) = (begin(lines[at]), begin(lines[other]));
-                if lines[at][a..] == lines[other][b..] {
-                    continue;
-                }
-                let exchanged = all().enumerate().map(|(k, line)| match k {
-                    k if k == at => format!("{}{}", &line[..a], &lines[other][b..]),
-                    k if k == other => format!("{}{}", &line[..b], &lines[at][a..]),
-                    _ => line,
-                });
-                changed(exchanged.collect(), "exchanged");
+        let (mut names, mut values) = (Vec::new(), Vec::new());
+        for pasted in read_cameras(text.as_bytes()).unwrap_or_default() {
+            let used = pasted.used.iter().map(|used| (&used.name, &used.value));
+            for (name, value) in used.chain(pasted.left_out.iter().map(|left| (&left.name, &left.value))) {
+                names.extend(name.split([',', ' ', '.', '[', ']']).filter(|part| !part.is_empty()).map(str::to_owned));
+                values.extend(value.split(' ').filter_map(|part| part.parse::<f64>().ok()));
+            }
+        }
+        let all = words(text);
+        let number = |place: &Range<usize>| text[place.clone()].parse::<f64>().ok();
+        let is_name =
+            |place: &&Range<usize>| number(place).is_none() && names.contains(&text[(*place).clone()].to_owned());
+        // A name that stands elsewhere too has other meanings, such as that of a key between parts.
+        let times = |word: &str| all.iter().filter(|place| &text[(*place).clone()] == word).count();
+        for place in all.iter().filter(is_name).filter(|place| times(&text[(*place).clone()]) == 1) {
+            let renamed = format!("{}xyz{}", &text[..place.end], &text[place.end..]);
+            check(&format!("renamed {}", &text[place.clone()]), renamed);
+        }
+        let shown = |place: &&Range<usize>| number(place).is_some_and(|number| values.contains(&number));
+        // Counts and indices of a list aren't entries.
+        let is_shape = |at: usize| {
+            let name = at.checked_sub(1).map_or("", |before| &text[all[before].clone()]);
+            ["rows", "cols", "index", "id", "number_of_elements", "sensor_id", "next_id"].contains(&name)
+        };
+        let numbers: Vec<_> = all
+            .iter()
+            .enumerate()
+            .filter(|(at, place)| shown(place) && !is_shape(*at))
+            .map(|(_, place)| place)
+            .collect();
+        for pair in numbers.windows(2).filter(|pair| number(pair[0]) != number(pair[1])) {
+            let [a, b] = [pair[0].clone(), pair[1].clone()];
+            let parts = [&text[..a.start], &text[b.clone()], &text[a.end..b.start], &text[a.clone()], &text[b.end..]];
+            check(&format!("exchanged {} and {}", &text[a], &text[b]), parts.concat());
+        }
+        let lines: Vec<&str> = text.lines().collect();
+        let mut begin = 0;
+        for (at, line) in lines.iter().enumerate() {
+            let here = begin..begin + line.len();
+            begin += line.len() + 1;
+            let own = || all.iter().filter(|place| here.contains(&place.start));
+            // A head without a number is no entry.
+            if own().any(|place| is_name(&place)) && own().any(|place| number(place).is_some()) {
+                check(&format!("deleted {line}"), [&lines[..at], &lines[at + 1..]].concat().join("\n"));
+                check(&format!("doubled {line}"), [&lines[..=at], &lines[at..]].concat().join("\n"));
             }
         }
     }
+    assert!(count > 1200, "{count}");
+    assert!(unnoticed.is_empty(), "{} of {count}:\n{}", unnoticed.len(), unnoticed.join("\n"));
 }
 
 /// Every reading of a text with an entry of unknown meaning is less than certain.

@@ -327,7 +327,11 @@ pub(crate) fn gltf(file: &Node) -> Option<Node> {
 /// Cameras, and the other parts of their file.
 fn beside(file: &Node, taken: &[&str], cameras: Vec<Node>) -> Option<Node> {
     let others = file.children().iter().filter(|child| !taken.contains(&child.name.as_str()));
-    let others = others.map(|child| Node::new(&child.name, Value::Word(format!("{} numbers", child.values().len()))));
+    let shown = |child: &Node| match child.values().as_slice() {
+        few if few.len() <= 16 => few.iter().map(f64::to_string).collect::<Vec<_>>().join(" "),
+        many => format!("{} numbers", many.len()),
+    };
+    let others = others.map(|child| Node::new(&child.name, Value::Word(shown(child))));
     let cameras = list(cameras)?;
     Some(Node::new("", Value::Inner(others.chain([cameras]).collect())))
 }
@@ -374,10 +378,7 @@ fn usd_parts(nodes: &[Node], path: &str, program: &str, parent: &Place, found: &
         let place = parent.inside(&path, known.into_iter());
         if pair[1].name == "Camera" {
             let is_lens = |child: &&Node| {
-                child.word() != Some("")
-                    && child.name != "xformOpOrder"
-                    && steps().all(|step| !std::ptr::eq(step, *child))
-                    && child.name != "token"
+                child.word() != Some("") && steps().all(|step| !std::ptr::eq(step, *child)) && child.name != "token"
             };
             // What USD has if it isn't said.
             let defaults = [("focalLength", 50.0), ("horizontalAperture", 20.955), ("verticalAperture", 15.2908)];
@@ -458,9 +459,12 @@ pub(crate) fn open_mvg(file: &Node) -> Option<Node> {
         list.iter().find(|item| key.is_some() && item.number("key") == key).map(|item| (*item).clone())
     };
     let view = |view: &Node| {
-        let data = view.child("value")?.child("ptr_wrapper")?.child("data")?;
+        let (value, pointer) = (view.child("value")?, view.child("value")?.child("ptr_wrapper")?);
+        let data = pointer.child("data")?;
         let parts = [of(&lenses, data.number("id_intrinsic")), of(&poses, data.number("id_pose"))];
-        let own = data.children().iter().cloned().chain(parts.into_iter().flatten());
+        let around = [view, value, pointer].into_iter().flat_map(Node::children);
+        let around = around.filter(|node| !matches!(node.name.as_str(), "value" | "ptr_wrapper" | "data"));
+        let own = data.children().iter().chain(around).cloned().chain(parts.into_iter().flatten());
         Some(Node::new("", Value::Inner(own.collect())))
     };
     list(items(Some(views)).into_iter().map(view).collect::<Option<_>>()?)
@@ -490,8 +494,13 @@ pub(crate) fn metashape(file: &Node) -> Option<Node> {
             parts.push(matrix("Metashape.transform", world * DMat4::from_cols_array(&own).transpose()));
         }
         let id = node.number("sensor_id");
-        let lens = all("sensors", "sensor").find(|sensor| sensor.number("id") == id);
-        if let Some(lens) = lens.and_then(|sensor| sensor.child("calibration").or(sensor.child("resolution"))) {
+        let sensor = all("sensors", "sensor").find(|sensor| sensor.number("id") == id);
+        let of_sensor = sensor.map(Node::children).unwrap_or_default().iter();
+        let is_taken = |child: &&Node| node.child(&child.name).is_some_and(|first| std::ptr::eq(first, *child));
+        let others = node.children().iter();
+        let others = others.filter(|child| !(matches!(child.name.as_str(), "label" | "transform") && is_taken(child)));
+        parts.extend(others.chain(of_sensor.filter(|child| child.name != "calibration")).cloned());
+        if let Some(lens) = sensor.and_then(|sensor| sensor.child("calibration").or(sensor.child("resolution"))) {
             // Older files have f_x, and count from the corner.
             let title = if lens.child("f").is_some() { "Metashape" } else { "calibration" };
             parts.push(Node::new(title, lens.value.clone()));

@@ -233,7 +233,9 @@ fn account(pasted: &mut Pasted, said: &Said<'_>, is_rectified: bool) {
             F::Model | F::Name | F::Part | F::FovAxis => None,
             F::Unknown => Some(Why::Unknown),
             _ if said.repeated.contains(&at) && entry.fields.len() == 1 => {
-                Some(if entry.is_inherited { Why::Overridden } else { Why::Repeated })
+                let own = said.first.iter().find(|(field, ..)| *field == first).map(|(.., own)| *own);
+                let is_same = !entry.numbers.is_empty() && own == Some(entry.numbers.as_slice());
+                Some(if entry.is_inherited || is_same { Why::Overridden } else { Why::Repeated })
             }
             // The pose is a matrix.
             F::Up if !is_taken && pasted.entries.is_some() => Some(Why::Overridden),
