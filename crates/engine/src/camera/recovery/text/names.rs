@@ -58,7 +58,7 @@ fields! {
     Yaw 1 "R" "yaw",
     Roll 1 "R" "roll",
     /// Open what it is.
-    Rotation3 3 "R" "rotation relativerotation",
+    Rotation3 3 "R" "rotation",
     Quaternion 4 "q" "mlocalrotation rotation quaternion orientation quat q rot",
     Wxyz 4 "q" "qvec wxyz quaternionwxyz",
     Xyzw 4 "q" "xyzw quaternionxyzw gltf.rotation",

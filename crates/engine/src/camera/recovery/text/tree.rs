@@ -134,6 +134,14 @@ pub(crate) fn fold(mut nodes: Vec<Node>) -> Value {
         return nodes.swap_remove(0).value;
     }
     if !are_numbers || nodes.is_empty() {
+        // Coordinates stand in any order.
+        let axis = |node: &Node| {
+            let name = node.name.to_lowercase();
+            ["x", "y", "z", "w"].into_iter().position(|axis| name.strip_prefix('q').unwrap_or(&name) == axis)
+        };
+        if nodes.iter().all(|node| axis(node).is_some()) {
+            nodes.sort_by_key(axis);
+        }
         // Lists of pairs, as in Lisp.
         let is_pair = |node: &Node| node.name.is_empty() && matches!(node.children(), [own] if !own.name.is_empty());
         let are_pairs = nodes.len() > 1 && nodes.iter().filter(|node| node.name.is_empty()).all(is_pair);
