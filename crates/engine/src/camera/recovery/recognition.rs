@@ -203,24 +203,18 @@ fn hypotheses(entries: &MatrixEntries, stated: &Stated, named: Option<Axes>) -> 
                 (None, LookAt) => vec![named.unwrap_or(Axes::OPENGL)],
             };
             for axes in axes.into_iter().filter(|_| takes_order) {
-                for ndc in ranges(*kind, stated) {
+                let ranges = if stated.ndc.is_none() && kind.has_ndc() {
+                    NdcRange::all().collect()
+                } else {
+                    vec![stated.ndc.unwrap_or_default()]
+                };
+                for ndc in ranges {
                     all.push((Reading { kind: *kind, axes, ndc, image: stated.image }, *order));
                 }
             }
         }
     }
     all
-}
-
-/// The ranges of NDC that a kind may have.
-fn ranges(kind: MatrixKind, stated: &Stated) -> Vec<NdcRange> {
-    if !kind.has_ndc() {
-        return vec![stated.ndc.unwrap_or_default()];
-    }
-    if let Some(ndc) = stated.ndc {
-        return vec![ndc];
-    }
-    NdcRange::all().collect()
 }
 
 /// The camera of a reading, if the numbers allow it.

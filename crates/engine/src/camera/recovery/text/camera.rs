@@ -263,17 +263,13 @@ impl Said<'_> {
         if let Some(focus) = self.vector(target).filter(|_| !is_center || self.has(F::Backward)) {
             let n = self.vector(F::Backward).or_else(|| self.vector(F::Front))?.normalize();
             let c = focus + n * self.distance()?;
-            let nine: Vec<_> = [c, focus, up(self)].iter().flat_map(|v| v.to_array()).collect();
-            let nine = nine.into_iter().map(|value| Written { value, error: 1e-9 * value.abs().max(1.0) }).collect();
-            return Some((MatrixEntries::new(nine, Some(3))?, word("focus", MatrixKind::LookAt, axes, None)));
+            return look_at([c, focus, up(self)], 1e-9, word("focus", MatrixKind::LookAt, axes, None));
         }
         if self.name(F::Eye).to_lowercase().ends_with("cameraposition") {
             // A trace of ParaView leaves out what is as usual.
             let c = self.vector(F::Eye)?;
-            let nine = [c, DVec3::ZERO, up(self)].iter().flat_map(|v| v.to_array()).collect::<Vec<_>>();
-            let nine = nine.into_iter().map(|value| Written { value, error: 0.0 }).collect();
             let said = word("CameraPosition", MatrixKind::LookAt, Some(Axes::OPENGL), Some(Order::Rows));
-            return Some((MatrixEntries::new(nine, Some(3))?, said));
+            return look_at([c, DVec3::ZERO, up(self)], 0.0, said);
         }
         let ahead = [F::Forward, F::Front, F::Backward].into_iter().find(|field| self.has(*field));
         if let (Some(field), true) = (ahead, self.has(F::Eye)) {
@@ -344,11 +340,10 @@ impl Said<'_> {
             let m = DMat3::from_mat4(matrix_of(&r, 3));
             return matrix(if self.sign.order == Some(Order::Columns) { m.transpose() } else { m });
         }
-        if self.sign.axes == Some(Axes::UNREAL) {
-            let own = [F::Pitch, F::Yaw, F::Roll].map(|field| self.number(field));
-            let [pitch, yaw, roll] = match own {
-                [Some(pitch), Some(yaw), roll] => [pitch, yaw, roll.unwrap_or(0.0)],
-                _ => self.vector(F::Rotation3)?.to_array(),
+        if self.sign.axes == Some(Axes::UNREAL) && (self.has(F::Yaw) || self.has(F::Rotation3)) {
+            let [pitch, yaw, roll] = match self.vector(F::Rotation3) {
+                Some(own) => own.to_array(),
+                None => [F::Pitch, F::Yaw, F::Roll].map(|field| self.number(field).unwrap_or(0.0)),
             }
             .map(f64::to_radians);
             return matrix(DMat3::from_euler(EulerRot::ZYX, yaw, -pitch, -roll));
@@ -376,6 +371,13 @@ impl Said<'_> {
 enum Turn {
     Matrix(DMat3),
     Quaternion(Vec<f64>, Option<bool>),
+}
+
+/// C, PF and VUP, with the share of each number that is its error.
+fn look_at(rows: [DVec3; 3], error: f64, said: Word) -> Option<Pose> {
+    let written = |value: f64| Written { value, error: error * value.abs().max(1.0) };
+    let nine = rows.iter().flat_map(|v| v.to_array()).map(written).collect();
+    Some((MatrixEntries::new(nine, Some(3))?, said))
 }
 
 /// t and a quaternion.
