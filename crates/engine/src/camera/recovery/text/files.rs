@@ -2,7 +2,6 @@
 
 use glam::{DMat3, DMat4, DQuat, DVec3, dcamera};
 
-use super::tokens::written;
 use super::tree::{DEPTH, Node, Value, fold, listed};
 use crate::camera::recovery::reading::Written;
 
@@ -508,24 +507,6 @@ pub(crate) fn metashape(file: &Node) -> Option<Node> {
         camera(&name, parts)
     };
     list(all("cameras", "camera").map(one).collect())
-}
-
-/// The vectors of POV-Ray that are written with its axes: `x*4/3`, `-1.5*z`.
-pub(crate) fn pov(text: &str) -> String {
-    let vector = |word: &str| {
-        let (sign, own) = word.strip_prefix('-').map_or((1.0, word), |own| (-1.0, own));
-        let axis = ["x", "y", "z"].map(|axis| own.split('*').any(|factor| factor == axis));
-        let others: Vec<&str> = own.split('*').filter(|factor| !["x", "y", "z"].contains(factor)).collect();
-        let factor = if others.is_empty() { 1.0 } else { written(&others.join("*"))?.value };
-        let [x, y, z] = axis.map(|is_it| if is_it { sign * factor } else { 0.0 });
-        axis.contains(&true).then(|| format!("<{x}, {y}, {z}>"))
-    };
-    let words = text.split_inclusive(char::is_whitespace);
-    words
-        .map(|word| {
-            vector(word.trim_end()).map_or_else(|| word.to_owned(), |vector| vector + &word[word.trim_end().len()..])
-        })
-        .collect()
 }
 
 /// The numbers of a text, or the text.

@@ -226,7 +226,7 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
         return Err(MatrixTextError::Latex);
     }
     let plain = tokens::without_comments(text);
-    let plain = if sign.is_pov() { files::pov(&plain) } else { plain };
+    let plain = if sign.is_pov() { tokens::pov(&plain) } else { plain };
     let start = plain.trim_start();
     let is_xml = start.starts_with('<') && (start.contains("</") || start.contains("/>"));
     let tree = if is_xml { files::xml_tree(start) } else { tree::read(&plain)? };
