@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use std::ops::Range;
+
 use camera_lab_engine::camera::{
     Camera, Certainty, ImageSize, Parameters, Pasted, Projection, RecoveryError, Stated, Why, camera_names,
     read_cameras, recognise,
@@ -141,6 +143,60 @@ proptest! {
         prop_assert!(camera(&all[0]).unwrap().1 < Certainty::Only);
     }
 
+    /// A size of an image, under each of its names and in each of its forms.
+    #[test]
+    fn the_size_of_an_image_comes_back(m in 17..9000_u32, n in 17..9000_u32) {
+        let sides = ["width height", "w h", "image_width image_height", "imageWidth imageHeight", "img_width img_height",
+            "resolution_x resolution_y", "res_x res_y", "xresolution yresolution", "Image Width Image Height"];
+        let pairs = ["resolution", "size", "image_size", "imageSize", "img_size", "imsize", "image resolution", "window_size"];
+        let k = "K = [500 0 300; 0 500 200; 0 0 1]";
+        let mut texts = Vec::new();
+        for names in sides {
+            let words: Vec<&str> = names.split(' ').collect();
+            let (a, b) = (words[..words.len() / 2].join(" "), words[words.len() / 2..].join(" "));
+            texts.push(format!("{b}: {n}\n{a}: {m}\nfx: 500\nfy: 500\ncx: 300\ncy: 200\n"));
+            texts.push(format!("{{\"{a}\": {m}, \"fx\": 500, \"cx\": 300, \"cy\": 200, \"{b}\": {n}}}"));
+            if !a.contains(' ') {
+                texts.push(format!("{k}\n{a} = {m}\n{b} = {n}\n"));
+                texts.push(format!("<camera><{b}>{n}</{b}><{a}>{m}</{a}><fx>500</fx><cx>300</cx><cy>200</cy></camera>"));
+            }
+        }
+        for name in pairs {
+            texts.push(format!("fx: 500\nfy: 500\ncx: 300\ncy: 200\n{name}: [{m}, {n}]\n"));
+            texts.push(format!("{{\"{name}\": [{m}, {n}], \"K\": [[500, 0, 300], [0, 500, 200], [0, 0, 1]]}}"));
+        }
+        texts.extend([
+            format!("[ {m}x{n}  p[300 200]  f[500 500]  Inverse Brown Conrady [0 0 0 0 0] ]"),
+            format!("Image size: {m} x {n}\nFocal length: 500 500\nPrincipal point: 300 200\n"),
+            format!("1 PINHOLE {m} {n} 500 500 300 200\n"),
+            format!("cam0:\n  camera_model: pinhole\n  intrinsics: [500, 500, 300, 200]\n  resolution: [{m}, {n}]\n"),
+            format!("S_rect_02: {m} {n}\nP_rect_02: 500 0 300 0 0 500 200 0 0 0 1 0\n"),
+            format!("Pinhole 500 500 300 200 0\n{m} {n}\n"),
+            format!("LookAt 3 4 1 0 4 1 0 0 1\nCamera \"perspective\" \"float fov\" [45]\nFilm \"rgb\" \"integer xresolution\" [{m}] \"integer yresolution\" [{n}]\n"),
+            format!("Format {m} {n} 1\nProjection \"perspective\" \"fov\" [40]\nTranslate 0 0 5\nWorldBegin\n"),
+            format!("{{\"height\": {n}, \"width\": {m}, \"k\": [500, 0, 300, 0, 500, 200, 0, 0, 1], \"binning_x\": 1, \"binning_y\": 1}}"),
+            format!("<project><VCGCamera TranslationVector=\"-2 -1 -6 1\" ViewportPx=\"{m} {n}\" PixelSizeMm=\"0.01 0.01\" CenterPx=\"300 240\" \
+                FocalMm=\"5\" RotationMatrix=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\"/></project>"),
+        ]);
+        for text in texts {
+            let found = cameras(&text)[0].image;
+            prop_assert_eq!(found, Some(ImageSize { width: m, height: n }), "{}", text);
+        }
+    }
+
+    /// Pixels that are put together divide the size, and the part of an image is one of its window.
+    #[test]
+    fn binned_pixels_keep_the_window(by in 2..5_u32, x in 0..100_u32, y in 0..100_u32) {
+        let [m, n] = [40 * by * 4, 30 * by * 4];
+        let roi = format!("\"roi\": {{\"x_offset\": {x}, \"y_offset\": {y}, \"width\": {m}, \"height\": {n}}}");
+        for matrix in ["\"k\": [500, 0, 300, 0, 500, 200, 0, 0, 1]", "\"p\": [500, 0, 300, 0, 0, 500, 200, 0, 0, 0, 1, 0]"] {
+            let text = format!("{{\"width\": 4000, \"height\": 3000, {matrix}, {roi}, \"binning_x\": {by}, \"binning_y\": {by}}}");
+            prop_assert_eq!(cameras(&text)[0].image, Some(ImageSize { width: m / by, height: n / by }));
+            let [x, y, m, n] = [x, y, m, n].map(f64::from);
+            spans(&text, [(x - 300.0) / 500.0, (x + m - 300.0) / 500.0, (200.0 - y - n) / 500.0, (200.0 - y) / 500.0]);
+        }
+    }
+
     /// The nodes above a camera of glTF: scales and mirrors move it, and only rotations turn it.
     #[test]
     fn scales_above_a_camera_of_gltf_only_move_it(scale in prop::array::uniform3(prop_oneof![-3.0..-0.2_f64, 0.2..3.0_f64]), turn in -3.0..3.0_f64) {
@@ -186,6 +242,89 @@ fn scene_files_are_read() {
     stands(blender, [1.0, 2.0, 6.0], AHEAD, UP);
     let sexp = "(camera (up 0 1 0) (target 1 2 0) (position 1 2 3) (fov 40))";
     stands(sexp, [1.0, 2.0, 3.0], AHEAD, UP);
+}
+
+/// Files whose cameras stand in parts: their places are multiplied.
+#[test]
+fn parts_above_a_camera_move_it() {
+    let usd = "#usda 1.0\n(\n    upAxis = \"Y\"\n)\ndef Xform \"W\"\n{\n    double3 xformOp:translate = (1, 2, 3)\n    float3 xformOp:rotateXYZ = (0, 90, 0)\n    \
+        uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:rotateXYZ\"]\n    def Camera \"A\"\n    {\n        \
+        matrix4d xformOp:transform = ( (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (4, 3, 6, 1) )\n    }\n    def Camera \"B\"\n    {\n        \
+        float focalLength = 35\n    }\n}\n";
+    // A quarter of a turn about y takes (4, 3, 6) to (6, 3, −4).
+    let own = stands(usd, [7.0, 5.0, -1.0], [-1.0, 0.0, 0.0], UP);
+    assert!((own.view_angle().degrees() - 2.0 * (15.2908_f64 / 100.0).atan().to_degrees()).abs() < 1e-9);
+    assert_eq!(camera_names(&cameras(usd)), ["A", "B"]);
+    let lens = |id: &str, angle: u32| {
+        format!(
+            "<camera id=\"{id}\"><optics><technique_common><perspective><yfov>{angle}</yfov></perspective></technique_common></optics></camera>"
+        )
+    };
+    let dae = format!(
+        "<COLLADA><asset><up_axis>Z_UP</up_axis></asset><library_cameras>{}{}</library_cameras><library_visual_scenes><visual_scene>\
+        <node name=\"A\"><translate>1 2 3</translate><rotate>1 0 0 90</rotate><instance_camera url=\"#b\"/></node>\
+        <node name=\"P\"><matrix>1 0 0 0 0 1 0 0 0 0 1 5 0 0 0 1</matrix><node name=\"B\"><rotate>1 0 0 90</rotate><instance_camera url=\"#a\"/></node></node>\
+        </visual_scene></library_visual_scenes></COLLADA>",
+        lens("a", 40),
+        lens("b", 50)
+    );
+    assert_eq!(camera_names(&cameras(&dae)), ["A", "B"]);
+    // z is up there.
+    let first = stands(&dae, [1.0, 3.0, -2.0], AHEAD, UP);
+    assert!((first.view_angle().degrees() - 50.0).abs() < 1e-9);
+    let second = camera(&cameras(&dae)[1]).unwrap().0;
+    assert!(second.position().abs_diff_eq(DVec3::new(0.0, 5.0, 0.0), 1e-9), "{}", second.position());
+    // The camera of pbrt looks along z, and a mirror makes its world right-handed.
+    let pbrt =
+        |steps: &str| format!("{steps}\nCamera \"perspective\" \"float fov\" [45]\nWorldBegin\nTranslate 9 9 9\n");
+    stands(&pbrt("Translate 0 0 5\nRotate 90 0 1 0"), [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0], UP);
+    stands(&pbrt("Transform [1 0 0 0 0 1 0 0 0 0 1 0 0 -1 6 1]"), [0.0, 1.0, 6.0], AHEAD, UP);
+    stands(&pbrt("Scale -1 1 1\nLookAt 3 4 1.5 0 4 1.5 0 0 1"), [3.0, 4.0, 1.5], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
+    assert!(matches!(camera(&cameras(&pbrt("Scale 2 1 1\nTranslate 0 0 5"))[0]), Err(RecoveryError::Length { .. })));
+}
+
+#[test]
+fn code_and_texts_of_more_programs_are_read() {
+    // Yaw turns x towards y, and a world of centimetres has z up and is left-handed.
+    let unreal = "FVector Location(100, 200, 300);\nFRotator Rotation(0, 90, 0);\n";
+    stands(unreal, [1.0, 3.0, 2.0], [0.0, 0.0, 1.0], UP);
+    let copied = "RelativeLocation=(X=100,Y=200,Z=300)\nRelativeRotation=(Roll=0,Pitch=-90,Yaw=0)\nFieldOfView=90\n";
+    stands(copied, [1.0, 3.0, 2.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]);
+    let pov = |rest: &str| format!("camera {{\n  location <0, 2, -5>\n  look_at <0, 2, 0>\n  {rest}\n}}\n");
+    spans(&pov("right x*1.5\n  up y\n  angle 90"), [-1.0, 1.0, -2.0 / 3.0, 2.0 / 3.0]);
+    spans(&pov("up <0, 2, 0>\n  right <3, 0, 0>\n  direction 2*z"), [-0.75, 0.75, -0.5, 0.5]);
+    stands(&pov("right -x*4/3"), [0.0, 2.0, -5.0], [0.0, 0.0, 1.0], UP);
+    let unity = "Camera:\n  near clip plane: 0.3\n  far clip plane: 90\n  field of view: 60\n  orthographic: 0\nTransform:\n  \
+        m_LocalRotation: {x: 0, y: 0, z: 0, w: 1}\n  m_LocalPosition: {x: 1, y: 2, z: -10}\n";
+    let camera = stands(unity, [1.0, 2.0, 10.0], AHEAD, UP);
+    assert_eq!((camera.near(), camera.far()), (0.3, 90.0));
+    let glm = "view = glm::lookAt(glm::vec3(1, 2, 3), glm::vec3(1, 2, 0), glm::vec3(0, 1, 0));\nproj = glm::perspective(glm::radians(90.0f), 8.0f / 4.0f, 0.1f, 100.0f);\n";
+    stands(glm, [1.0, 2.0, 3.0], AHEAD, UP);
+    spans(glm, [-2.0, 2.0, -1.0, 1.0]);
+    let parts = "camera.position.x = 1\ncamera.position.y = 2\ncamera.position.z = 3\ncamera.target = (1, 2, 0)\n";
+    stands(parts, [1.0, 2.0, 3.0], AHEAD, UP);
+    let both = "viewMatrix: [1,0,0,0, 0,1,0,0, 0,0,1,0, -1,-2,-5,1]\nprojectionMatrix: [1,0,0,0, 0,2,0,0, 0.5,0,-1.5,-1, 0,0,-5,0]\n";
+    stands(both, [1.0, 2.0, 5.0], AHEAD, UP);
+    spans(both, [-0.5, 1.5, -0.5, 0.5]);
+    let godot = "[gd_scene format=3]\n[node name=\"A\" type=\"Camera3D\"]\ntransform = Transform3D(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 5)\nprojection = 1\nsize = 8.0\n";
+    assert!((first(godot).window().height() - 8.0).abs() < 1e-12);
+    let labels =
+        "Up vector: [0, 1, 0]\nLook at point: [1, 2, 0]\nCamera position: [1, 2, 5]\nVertical FOV (degrees): 90\n";
+    spans(labels, [-4.0 / 3.0, 4.0 / 3.0, -1.0, 1.0]);
+    for position in ["{x: 1, y: 2, z: 3}", "{z: 3, x: 1, y: 2}"] {
+        stands(&format!("target: {{y: 2, z: 0, x: 1}}\nposition: {position}\n"), [1.0, 2.0, 3.0], AHEAD, UP);
+    }
+    let sides = "[left]\neye = -1 0 5\ntarget = -1 0 0\n[right]\neye = 1 0 5\ntarget = 1 0 0\n";
+    assert_eq!(camera_names(&cameras(sides)), ["left", "right"]);
+}
+
+/// Coefficients of 0 are no distortion.
+#[test]
+fn no_distortion_is_used() {
+    let info = "width: 640\nheight: 480\nK: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nD: [0, 0, 0, 0, 0]\n";
+    let pasted = &cameras(info)[0];
+    assert!(pasted.left_out.is_empty() && pasted.used.iter().any(|used| used.name == "D"), "{pasted:?}");
+    assert_eq!(camera(pasted).unwrap().1, Certainty::Only);
 }
 
 #[test]
@@ -250,14 +389,12 @@ fn two_lines_of_tum_are_two_poses() {
     assert!(camera.position().abs_diff_eq(DVec3::new(1.0, 2.0, 3.0), 1e-12) || camera.position().y == 3.0);
 }
 
-/// Texts with an entry in each line, after which nothing else follows.
-const LINES: [&str; 5] = [
-    "eye = (2, 3, 8)\ncenter = (0, 1, 0)\nup = (0, 1, 0.5)\nfov = 40\nnear = 0.5\nfar = 60",
-    "K = [800 0 320; 0 810 240; 0 0 1]\nR = [0 0 1; 0 1 0; -1 0 0]\nt = [0.1; 0.2; 3]\nimageSize = [640 480]\ndistCoeffs = [0.1 0.2 0 0]",
-    "fx = 606.5\nfy = 606.25\ncx = 321.5\ncy = 247.5\nwidth = 640\nheight = 480\nversion = 3\nserial = 4711",
-    "camera.SetPosition(4, 3, 5)\ncamera.SetFocalPoint(0, 1, 0)\ncamera.SetViewUp(0, 1, 0.25)\ncamera.SetViewAngle(50)\ncamera.SetClippingRange(0.5, 80)",
-    "resolution: [752, 480]\nintrinsics: [458.654, 457.296, 367.215, 248.375]\nT_BS: [0, 1, 0, 0.1, -1, 0, 0, 0.2, 0, 0, 1, 0.3, 0, 0, 0, 1]\nrate_hz: 20",
-];
+/// Texts of other programs, of the kind of public questions, each behind a line with its name.
+const TEXTS: &str = include_str!("camera_texts.txt");
+
+fn texts() -> impl Iterator<Item = (&'static str, &'static str)> {
+    TEXTS.split("=== ").filter_map(|part| part.split_once('\n'))
+}
 
 /// The answer to a text: each camera with its entries, or the message.
 fn answer(text: &str) -> String {
@@ -270,40 +407,87 @@ fn answer(text: &str) -> String {
     }
 }
 
-/// An entry that is deleted, doubled, renamed, or that changes places with the value of another one is noticed.
+/// The places of names and of numbers in a text, without its comments.
+fn words(text: &str) -> Vec<Range<usize>> {
+    let is_part = |c: char| c.is_alphanumeric() || "_.+-".contains(c);
+    let mut all = Vec::new();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let comment = ["#", "//", "%", "<?"].iter().any(|mark| line.trim_start().starts_with(mark));
+        let mut at = start;
+        for part in line.split(|c| !is_part(c)).filter(|_| !comment) {
+            if !part.is_empty() {
+                all.push(at..at + part.len());
+            }
+            at += part.len() + text[at + part.len()..].chars().next().map_or(0, char::len_utf8);
+        }
+        start += line.len();
+    }
+    all
+}
+
+/// An entry that is deleted, doubled or renamed, and two numbers that change places, are noticed.
 #[test]
 fn no_change_of_an_entry_goes_unnoticed() {
-    for text in LINES {
-        let lines: Vec<&str> = text.lines().collect();
+    let (mut count, mut unnoticed) = (0, Vec::new());
+    for (id, text) in texts() {
         let right = answer(text);
-        let changed = |lines: Vec<String>, what: &str| {
-            let text = lines.join("\n");
-            assert_ne!(answer(&text), right, "{what}:\n{text}");
+        let mut check = |what: &str, changed: String| {
+            count += 1;
+            if changed != text && answer(&changed) == right {
+                unnoticed.push(format!("{id}: {what}"));
+            }
         };
-        let all = || lines.iter().map(|line| (*line).to_owned());
-        let begin = |line: &str| line.find([' ', ':', '=', '(']).unwrap();
-        for at in 0..lines.len() {
-            changed(all().enumerate().filter(|(k, _)| *k != at).map(|(_, line)| line).collect(), "deleted");
-            changed(all().chain([lines[at].to_owned()]).collect(), "doubled");
-            let renamed = format!("{}xyz{}", &lines[at][..begin(lines[at])], &lines[at][begin(lines[at])..]);
-            changed(
-                all().enumerate().map(|(k, line)| if k == at { renamed.clone() } else { line }).collect(),
-                "renamed",
-            );
-            for other in 0..at {
-                let (a, b) = (begin(lines[at]), begin(lines[other]));
-                if lines[at][a..] == lines[other][b..] {
-                    continue;
-                }
-                let exchanged = all().enumerate().map(|(k, line)| match k {
-                    k if k == at => format!("{}{}", &line[..a], &lines[other][b..]),
-                    k if k == other => format!("{}{}", &line[..b], &lines[at][a..]),
-                    _ => line,
-                });
-                changed(exchanged.collect(), "exchanged");
+        let (mut names, mut values) = (Vec::new(), Vec::new());
+        for pasted in read_cameras(text.as_bytes()).unwrap_or_default() {
+            let used = pasted.used.iter().map(|used| (&used.name, &used.value));
+            for (name, value) in used.chain(pasted.left_out.iter().map(|left| (&left.name, &left.value))) {
+                names.extend(name.split([',', ' ', '.', '[', ']']).filter(|part| !part.is_empty()).map(str::to_owned));
+                values.extend(value.split(' ').filter_map(|part| part.parse::<f64>().ok()));
+            }
+        }
+        let all = words(text);
+        let number = |place: &Range<usize>| text[place.clone()].parse::<f64>().ok();
+        let is_name =
+            |place: &&Range<usize>| number(place).is_none() && names.contains(&text[(*place).clone()].to_owned());
+        // A name that stands elsewhere too has other meanings, such as that of a key between parts.
+        let times = |word: &str| all.iter().filter(|place| &text[(*place).clone()] == word).count();
+        for place in all.iter().filter(is_name).filter(|place| times(&text[(*place).clone()]) == 1) {
+            let renamed = format!("{}xyz{}", &text[..place.end], &text[place.end..]);
+            check(&format!("renamed {}", &text[place.clone()]), renamed);
+        }
+        let shown = |place: &&Range<usize>| number(place).is_some_and(|number| values.contains(&number));
+        // Counts and indices of a list aren't entries.
+        let is_shape = |at: usize| {
+            let name = at.checked_sub(1).map_or("", |before| &text[all[before].clone()]);
+            ["rows", "cols", "index", "id", "number_of_elements", "sensor_id", "next_id"].contains(&name)
+        };
+        let numbers: Vec<_> = all
+            .iter()
+            .enumerate()
+            .filter(|(at, place)| shown(place) && !is_shape(*at))
+            .map(|(_, place)| place)
+            .collect();
+        for pair in numbers.windows(2).filter(|pair| number(pair[0]) != number(pair[1])) {
+            let [a, b] = [pair[0].clone(), pair[1].clone()];
+            let parts = [&text[..a.start], &text[b.clone()], &text[a.end..b.start], &text[a.clone()], &text[b.end..]];
+            check(&format!("exchanged {} and {}", &text[a], &text[b]), parts.concat());
+        }
+        let lines: Vec<&str> = text.lines().collect();
+        let mut begin = 0;
+        for (at, line) in lines.iter().enumerate() {
+            let here = begin..begin + line.len();
+            begin += line.len() + 1;
+            let own = || all.iter().filter(|place| here.contains(&place.start));
+            // A head without a number is no entry.
+            if own().any(|place| is_name(&place)) && own().any(|place| number(place).is_some()) {
+                check(&format!("deleted {line}"), [&lines[..at], &lines[at + 1..]].concat().join("\n"));
+                check(&format!("doubled {line}"), [&lines[..=at], &lines[at..]].concat().join("\n"));
             }
         }
     }
+    assert!(count > 1200, "{count}");
+    assert!(unnoticed.is_empty(), "{} of {count}:\n{}", unnoticed.len(), unnoticed.join("\n"));
 }
 
 /// Every reading of a text with an entry of unknown meaning is less than certain.

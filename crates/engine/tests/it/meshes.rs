@@ -176,3 +176,50 @@ proptest! {
         }
     }
 }
+
+/// Counts, areas and bounds as in trimesh 5.2.0, but for two: it cuts a polygon with a hole as a fan, and counts
+/// negative indices back from the last point of the file.
+#[test]
+fn polygons_have_the_counts_areas_and_bounds_of_another_reader() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement face 3\n\
+        property list uchar int vertex_indices\nend_header\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 3\n4 0 1 2 3\n3 0 1 4\n3 1 2 4\n";
+    let facet = |corners: &str| format!("facet normal 0 0 1\nouter loop\n{corners}\nendloop\nendfacet\n");
+    let stl = [
+        "solid a\n",
+        &facet("vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0"),
+        "endsolid a\nsolid b\n",
+        &facet("vertex 0 0 1\nvertex 2 0 1\nvertex 0 2 1"),
+        "endsolid b\n",
+    ]
+    .concat();
+    let cases = [
+        (
+            "m.obj",
+            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\nv 0 0 2\nv 1 0 2\nv 1 1 2\nf -3 -2 -1\n",
+            3,
+            1.5,
+            [1.0, 1.0, 2.0],
+        ),
+        ("m.obj", "v 0 0 0\nv 2 0 \\\n0\nv 2 2 0\nv 0 2 0\nf 1 2 \\\n 3 4\n", 2, 4.0, [2.0, 2.0, 0.0]),
+        ("m.obj", "v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6\n", 4, 5.0, [3.0, 3.0, 0.0]),
+        (
+            "m.obj",
+            "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nf 1 2 3 4 1 5 6 7 8 5\n",
+            8,
+            12.0,
+            [4.0, 4.0, 0.0],
+        ),
+        ("m.ply", ply, 4, 10.324_555_320_336_76, [2.0, 2.0, 3.0]),
+        ("m.stl", stl.as_str(), 2, 2.5, [2.0, 2.0, 1.0]),
+    ];
+    for (name, text, triangles, area, most) in cases {
+        let scene = load(name, &folder([(name, text.as_bytes())])).unwrap();
+        let meshes = || scene.objects.iter().map(|object| &object.mesh);
+        let faces = || meshes().flat_map(|mesh| mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])));
+        let found: f64 = faces().map(|[a, b, c]| (b - a).cross(c - a).length() / 2.0).sum();
+        let bounds = faces().flatten().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[a, b], p| [a.min(p), b.max(p)]);
+        assert_eq!(faces().count(), triangles, "{text}");
+        assert!((found - area).abs() < 1e-12, "{found} is not {area}\n{text}");
+        assert_eq!(bounds, [DVec3::ZERO, DVec3::from_array(most)], "{text}");
+    }
+}

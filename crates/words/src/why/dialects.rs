@@ -267,7 +267,6 @@ pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
         MatrixTextError::NoCamera(format) => "não há câmera nele; {format} não tem nenhuma das chaves de uma câmera";
         MatrixTextError::NotText => "não é texto nem GLB";
         MatrixTextError::Elided => "“...” está no lugar de números que foram omitidos; escreva todos";
-        MatrixTextError::Part(part) => "“{}” não é um número" (escaped(part));
         MatrixTextError::Latex =>
             "LaTeX com várias matrizes não pode ser lido; cole apenas os números de M_v, ou os de M_p";
         MatrixTextError::NotCamera(name) =>

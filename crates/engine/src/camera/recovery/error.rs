@@ -190,9 +190,6 @@ pub enum MatrixTextError {
         "{0} numbers, and no name says what they are; without names it reads 16 numbers (a matrix), 12 (K [R | t], or R and t), 9 (K, or C, PF and VUP) or 7 (a quaternion and t); the guide “Cameras of other programs” lists the files and names that it reads"
     )]
     Count(usize),
-    /// A part of it isn't a number.
-    #[error("“{}” is not a number", crate::sanitize::escaped(.0))]
-    Part(String),
     /// Numbers that the program left out when it printed them.
     #[error("“...” stands for numbers that were left out; print all of them")]
     Elided,

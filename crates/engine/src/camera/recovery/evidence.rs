@@ -5,7 +5,7 @@
 
 use glam::{DMat4, DVec3};
 
-use crate::camera::recovery::entries::MatrixEntries;
+use crate::camera::recovery::reading::MatrixEntries;
 use crate::camera::recovery::{Axes, MatrixKind, Order, Reading, Recovered, SLACK, Unknown, WorldUp};
 use crate::camera::{Camera, Program, Projection};
 
@@ -307,9 +307,12 @@ pub(crate) fn is_rigid(m: DMat4) -> bool {
 /// True if the first three rows are perpendicular unit vectors.
 pub(crate) fn is_rotation(m: DMat4) -> bool {
     let rows = [0, 1, 2].map(|i| m.row(i).truncate());
-    let are_units = rows.iter().all(|row| (row.length() - 1.0).abs() <= SLACK);
-    let are_perpendicular = [(0, 1), (0, 2), (1, 2)].into_iter().all(|(a, b)| rows[a].dot(rows[b]).abs() <= SLACK);
-    are_units && are_perpendicular
+    rows.iter().all(|row| (row.length() - 1.0).abs() <= SLACK) && are_perpendicular(rows)
+}
+
+fn are_perpendicular(lines: [DVec3; 3]) -> bool {
+    let units = lines.map(DVec3::normalize_or_zero);
+    [(0, 1), (0, 2), (1, 2)].into_iter().all(|(a, b)| units[a].dot(units[b]).abs() <= SLACK)
 }
 
 /// True if it's the matrix of a node with a scale of its own. In a parallel M_p M_v the rows are perpendicular but of
@@ -317,12 +320,9 @@ pub(crate) fn is_rotation(m: DMat4) -> bool {
 pub(crate) fn is_scaled(m: DMat4) -> bool {
     let rows = [0, 1, 2].map(|i| m.row(i).truncate());
     let columns = [0, 1, 2].map(|i| m.col(i).truncate());
-    let cosine = |a: DVec3, b: DVec3| a.normalize_or_zero().dot(b.normalize_or_zero()).abs();
-    let perpendicular =
-        |lines: [DVec3; 3]| [(0, 1), (0, 2), (1, 2)].into_iter().all(|(a, b)| cosine(lines[a], lines[b]) <= SLACK);
     let lengths = rows.map(DVec3::length);
     let longest = lengths.into_iter().fold(0.0, f64::max);
     let is_uniform = lengths.iter().all(|length| longest - length <= SLACK * longest);
     let is_right_handed = rows[0].cross(rows[1]).dot(rows[2]) > 0.0;
-    perpendicular(columns) && is_right_handed && (is_uniform || !perpendicular(rows))
+    are_perpendicular(columns) && is_right_handed && (is_uniform || !are_perpendicular(rows))
 }

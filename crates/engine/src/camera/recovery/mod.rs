@@ -4,28 +4,22 @@
 //! has no length), VUP (only **v** is known), and in parallel projection C along **n** (moving the eye along its line
 //! of sight changes nothing).
 
-mod entries;
 mod error;
 mod evidence;
-mod pinhole;
 mod reading;
 mod recognition;
-mod refusal;
 mod solve;
 mod text;
-mod unknown;
 
-pub use entries::MatrixEntries;
 pub use error::{Lines, MatrixTextError, RecoveryError};
 pub use evidence::Reason;
-pub use reading::{MatrixKind, Reading, Stated};
+pub use reading::{MatrixEntries, MatrixKind, Reading, Stated, Unknown};
 pub use recognition::{Assumed, Candidate, Certainty, Evidence, Recognised, recognise};
 pub use text::{LeftOut, Pasted, Used, Why, camera_names, read_cameras};
-pub use unknown::Unknown;
 
 use glam::DMat4;
 
-use crate::camera::{Axes, Camera, NdcRange, Order, Parameters, Toward, WorldUp};
+use crate::camera::{Axes, Camera, Order, Parameters, Toward, WorldUp};
 use solve::Recovery;
 
 /// A camera's parameters from a matrix.

@@ -1,12 +1,15 @@
 //! The reading of a matrix of another program. Every candidate is tried, refused by the numbers or ranked by evidence.
 
-use crate::camera::recovery::evidence::{Weight, is_rigid, is_rotation, is_scaled};
-use crate::camera::recovery::text::{GivenLens, Size, Word};
-use crate::camera::recovery::{
-    Axes, MatrixEntries, MatrixKind, NdcRange, Order, Pasted, Reading, Reason, Recovered, Recovery, RecoveryError,
-    SLACK, Stated, Unknown, pinhole, recover, refusal,
+use glam::{DMat4, DVec3, DVec4};
+
+use super::evidence::{Weight, is_rigid, is_rotation, is_scaled};
+use super::solve::{Recovery, check_pixels};
+use super::text::{GivenLens, Side, Size, Word};
+use super::{
+    Lines, MatrixEntries, MatrixKind, Pasted, Reading, Reason, Recovered, RecoveryError, SLACK, Stated, Unknown,
+    recover,
 };
-use crate::camera::{Camera, ImageSize, Parameters, Projection};
+use crate::camera::{Axes, Camera, ImageSize, NdcRange, Order, Parameters, Projection};
 
 crate::worded! {
     /// The reason why a matrix is read as it is.
@@ -126,8 +129,8 @@ pub fn recognise(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Resu
         return Err(RecoveryError::NotFinite { row, column, value });
     }
     if entries.count() == 16 {
-        refusal::check_disparity(entries.matrix(false))?;
-        refusal::check_singular(entries.matrix(stated.by_columns))?;
+        check_disparity(entries.matrix(false))?;
+        check_singular(entries.matrix(stated.by_columns))?;
     }
     let mut refused = Vec::new();
     let mut candidates: Vec<Candidate> = Vec::new();
@@ -151,7 +154,7 @@ pub fn recognise(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Resu
         }
     }
     if distinct.is_empty() {
-        return Err(refusal::cause(entries, stated, refused));
+        return Err(cause(entries, stated, refused));
     }
     let elsewhere = if format.is_some() { &[][..] } else { &elsewhere };
     Ok(capped(judged(distinct, elsewhere, stated), pasted))
@@ -163,7 +166,8 @@ fn capped(mut found: Recognised, pasted: &Pasted) -> Recognised {
     let best = &mut found.readings[0];
     let is_partial = pasted.left_out.iter().any(|left| left.why.changes_image() != Some(false));
     let is_bare = best.reading.kind == MatrixKind::LookAt && pasted.word.is_none();
-    if is_partial || is_bare {
+    // The range of NDC of M_p beside a pose may be another one.
+    if is_partial || is_bare || pasted.projection.is_some() {
         best.certainty = best.certainty.min(Certainty::Likely);
     }
     found
@@ -199,24 +203,18 @@ fn hypotheses(entries: &MatrixEntries, stated: &Stated, named: Option<Axes>) -> 
                 (None, LookAt) => vec![named.unwrap_or(Axes::OPENGL)],
             };
             for axes in axes.into_iter().filter(|_| takes_order) {
-                for ndc in ranges(*kind, stated) {
+                let ranges = if stated.ndc.is_none() && kind.has_ndc() {
+                    NdcRange::all().collect()
+                } else {
+                    vec![stated.ndc.unwrap_or_default()]
+                };
+                for ndc in ranges {
                     all.push((Reading { kind: *kind, axes, ndc, image: stated.image }, *order));
                 }
             }
         }
     }
     all
-}
-
-/// The ranges of NDC that a kind may have.
-fn ranges(kind: MatrixKind, stated: &Stated) -> Vec<NdcRange> {
-    if !kind.has_ndc() {
-        return vec![stated.ndc.unwrap_or_default()];
-    }
-    if let Some(ndc) = stated.ndc {
-        return vec![ndc];
-    }
-    NdcRange::all().collect()
 }
 
 /// The camera of a reading, if the numbers allow it.
@@ -243,11 +241,20 @@ fn candidate(
     }
     let must_be_pixels = entries.count() == 16 || order == Order::Columns || is_rigid(matrix);
     if reading.kind == MatrixKind::Pinhole && !is_stated && must_be_pixels {
-        pinhole::check_pixels(matrix)?;
+        check_pixels(matrix)?;
     }
     reading.ndc.infinite |= reading.kind.has_ndc() && found.unknown.contains(&Unknown::Far);
     if let Some(lens) = pasted.lens.filter(|_| reading.kind.has_camera_axes() || reading.kind == MatrixKind::LookAt) {
         with_lens(&mut found, (lens, pasted.image.is_some()), &reading, current)?;
+    }
+    if let Some(projection) = &pasted.projection {
+        let stated = Stated { kind: Some(MatrixKind::Projection), axes: None, ..*stated };
+        let lens = recognise(projection, &stated, current)?.best().found.clone();
+        let Parameters { position, focal_point, view_up, .. } = found.parameters;
+        found.parameters = Parameters { position, focal_point, view_up, ..lens.parameters };
+        let of_lens = |unknown: &Unknown| matches!(unknown, Unknown::Lens | Unknown::Window | Unknown::ClippingPlanes);
+        found.unknown.retain(|unknown| !of_lens(unknown));
+        found.unknown.extend(lens.unknown.into_iter().filter(|unknown| *unknown != Unknown::Pose));
     }
     found.unknown.extend(pasted.is_scaled.then_some(Unknown::Scaled));
     found.unknown.extend(pasted.is_origin.then_some(Unknown::RigOrigin));
@@ -402,22 +409,18 @@ fn with_lens(
     let [m, n] = [reading.image.width, reading.image.height].map(f64::from);
     let own = current.window.map_or(current.aspect, |w| (w.right - w.left) / (w.top - w.bottom));
     let aspect = lens.aspect.unwrap_or(if has_image { reading.image.aspect() } else { own });
-    let by = if lens.is_parallel { 1.0 } else { near };
     if lens.size != Size::Open || lens.is_parallel {
         p.projection = if lens.is_parallel { Projection::Parallel } else { Projection::Perspective };
     }
-    let of_height = |height: f64| [aspect * height / zoom, height / zoom];
-    let [width, height] = match lens.size {
-        Size::Open => [0.0; 2],
+    let size = match lens.size {
+        Size::Open => {
+            p.aspect = lens.aspect.unwrap_or(p.aspect);
+            recovery.unknown.push(Unknown::Window);
+            None
+        }
         Size::Pixels { focal_lengths, principal_point, skew } => {
-            if skew.abs() > SLACK * focal_lengths[0] {
-                return Err(RecoveryError::Skew { skew, focal_length: focal_lengths[0] });
-            }
-            recovery.unknown.extend((skew != 0.0).then_some(Unknown::SkewDropped));
-            let [x, y, across, down] = lens.crop.unwrap_or([0.0, 0.0, 1.0, 1.0]);
-            let [full_m, full_n] = [m / across, n / down];
-            let [c_x, c_y] = principal_point.unwrap_or([full_m / 2.0, full_n / 2.0]);
-            let point = [c_x - x * full_m, c_y - y * full_n];
+            recovery.skew(skew, focal_lengths[0])?;
+            let point = principal_point.unwrap_or([m / 2.0, n / 2.0]);
             let f = focal_lengths.map(|f| f * zoom);
             if lens.is_parallel {
                 let [width, height] = [m / f[0], n / f[1]];
@@ -425,41 +428,35 @@ fn with_lens(
             } else {
                 recovery.pixels(f, point);
             }
-            [0.0; 2]
+            None
         }
-        Size::AngleY(degrees) => of_height(2.0 * near * (degrees.to_radians() / 2.0).tan()),
-        Size::SlopeY(slope) => of_height(slope * by),
-        Size::SlopeX(slope) => of_height(slope * by / aspect),
-        Size::SlopeSmaller(slope) => of_height(slope * by / aspect.min(1.0)),
-        Size::SlopeLarger(slope) => of_height(slope * by / aspect.max(1.0)),
-        Size::Height(height) => of_height(height),
-        Size::Width(width) => of_height(width / aspect),
-        Size::Sides([left, right, bottom, top]) => [(right - left) / zoom, (top - bottom) / zoom],
+        Size::Length(side, length) => {
+            let length = if lens.is_slope && !lens.is_parallel { length * near } else { length };
+            let height = match side {
+                Side::Up => length,
+                Side::Across => length / aspect,
+                Side::Smaller => length / aspect.min(1.0),
+                Side::Larger => length / aspect.max(1.0),
+            };
+            let sides = [aspect * height / zoom, height / zoom];
+            let of = if lens.shift_of_height { [sides[1]; 2] } else { sides };
+            Some((sides, [lens.shift[0] * of[0], lens.shift[1] * of[1]]))
+        }
+        Size::Sides([left, right, bottom, top]) => {
+            Some(([(right - left) / zoom, (top - bottom) / zoom], [(left + right) / 2.0, (bottom + top) / 2.0]))
+        }
     };
-    if width != 0.0 && height != 0.0 {
-        let mut middle = match lens.size {
-            Size::Sides([left, right, bottom, top]) => [(left + right) / 2.0, (bottom + top) / 2.0],
-            _ if lens.shift_of_height => [lens.shift[0] * height, lens.shift[1] * height],
-            _ => [lens.shift[0] * width, lens.shift[1] * height],
-        };
-        let mut size = [width, height];
-        if let Some([x, y, across, down]) = lens.crop {
-            middle[0] += (x + across / 2.0 - 0.5) * width;
-            middle[1] += (0.5 - y - down / 2.0) * height;
-            size = [across * width, down * height];
-        }
-        recovery.window(size, middle);
+    if let Some(([width, height], mut middle)) = size {
+        let [x, y, across, down] = lens.crop.unwrap_or([0.0, 0.0, 1.0, 1.0]);
+        middle[0] += (x + across / 2.0 - 0.5) * width;
+        middle[1] += (0.5 - y - down / 2.0) * height;
+        recovery.window([across * width, down * height], middle);
         // The numbers themselves, without the rounding of products.
         let p = &mut recovery.found;
         if p.window.is_none() && lens.crop.is_none() {
             p.aspect = if matches!(lens.size, Size::Sides(_)) { p.aspect } else { aspect };
-            if let (Size::AngleY(degrees), true) = (lens.size, zoom == 1.0) {
-                p.view_angle = degrees;
-            }
+            p.view_angle = lens.degrees.filter(|_| zoom == 1.0).unwrap_or(p.view_angle);
         }
-    } else if lens.size == Size::Open {
-        recovery.found.aspect = lens.aspect.unwrap_or(recovery.found.aspect);
-        recovery.unknown.push(Unknown::Window);
     }
     recovery.unknown.retain(|unknown| *unknown != Unknown::ClippingPlanes);
     recovery.unknown.extend(match (lens.near, lens.far) {
@@ -486,4 +483,91 @@ fn is_same(a: &Parameters, b: &Parameters) -> bool {
     a.projection == b.projection
         && pose_a.iter().zip(&pose_b).all(|(a, b)| (a - b).abs() <= 1e-9 * size)
         && lens_a.iter().zip(&lens_b).all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs().max(b.abs()))
+}
+
+/// A reading that the numbers refused.
+pub(crate) type Refused = (Reading, Order, RecoveryError);
+
+/// Refuses Q of `stereoRectify`, which leads from a pixel and its disparity to a point: no camera.
+///
+/// # Errors
+/// [`RecoveryError::Disparity`].
+pub(crate) fn check_disparity(m: DMat4) -> Result<(), RecoveryError> {
+    let [a, b, c, d] = [0, 1, 2, 3].map(|i| m.row(i).to_array());
+    let is_row = |row: [f64; 4], places: &[usize]| {
+        (0..4).all(|i| places.contains(&i) == (row[i] != 0.0) || places.len() == 2 && i == 3)
+    };
+    let is_q = is_row(a, &[0, 3]) && is_row(b, &[1, 3]) && is_row(c, &[3]) && is_row(d, &[2, 3]);
+    if is_q && a[3].abs() > 2.0 * a[0].abs() { Err(RecoveryError::Disparity) } else { Ok(()) }
+}
+
+/// Refuses a matrix that has no inverse, and names the line that is zero.
+///
+/// # Errors
+/// [`RecoveryError::ViewUpAlongView`], [`RecoveryError::Singular`] or [`RecoveryError::Determinant`].
+pub(crate) fn check_singular(m: DMat4) -> Result<(), RecoveryError> {
+    let rows = [0, 1, 2, 3].map(|i| m.row(i));
+    let columns = [0, 1, 2, 3].map(|i| m.col(i));
+    let size = m.to_cols_array().iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+    // The translation stays if u and v have no length, so the first three entries count.
+    for (lines, all) in [(Lines::Rows, rows), (Lines::Columns, columns)] {
+        let is_zero = |line: &DVec4| line.truncate().length() <= 1e-12 * size;
+        let zeros: Vec<usize> = (0..3).filter(|i| is_zero(&all[*i])).map(|i| i + 1).collect();
+        let is_view = all[3] == DVec4::W || lines == Lines::Columns && all[3].w == 1.0;
+        if let ([a, b], true) = (zeros.as_slice(), is_view && all[3].truncate() == DVec3::ZERO) {
+            return Err(RecoveryError::ViewUpAlongView { lines, a: *a, b: *b });
+        }
+        if let Some(at) = all.iter().position(|line| line.length() <= 1e-12 * size) {
+            return Err(RecoveryError::Singular { lines, at: at + 1 });
+        }
+    }
+    // Hadamard: the determinant is at most the product of the lengths, and this share of it for an axis of 1e-14.
+    let most: f64 = rows.iter().map(|row| row.length()).product();
+    if m.determinant().abs() <= 1e-14 * most {
+        return Err(RecoveryError::Determinant);
+    }
+    Ok(())
+}
+
+/// The error of the reading that the numbers come nearest to.
+pub(crate) fn cause(entries: &MatrixEntries, stated: &Stated, refused: Vec<Refused>) -> RecoveryError {
+    let of = |kind: MatrixKind, order: Order| move |r: &&Refused| r.0.kind == kind && r.1 == order;
+    let first = |kind: MatrixKind, order: Order| {
+        let errors = || refused.iter().filter(of(kind, order)).map(|r| &r.2);
+        // A wrong hand or a mirror is the error of a row, not of the matrix, if other rows have another one.
+        let is_of_row = |e: &&RecoveryError| matches!(e, RecoveryError::Hand { .. } | RecoveryError::Mirrored);
+        errors().find(|e| !is_of_row(e)).or_else(|| errors().next()).cloned()
+    };
+    let order = if stated.by_columns { Order::Columns } else { Order::Rows };
+    let (kind, order) = match (stated.kind, entries.count()) {
+        (Some(kind), _) => (kind, entries.orders().first().copied().filter(|_| !stated.by_columns).unwrap_or(order)),
+        (None, 7) => return RecoveryError::Quaternion,
+        (None, 9) if is_rotation(entries.matrix(false)) => return RecoveryError::RotationAlone,
+        (None, 9) => (MatrixKind::Intrinsics, order),
+        (None, 12) if entries.orders()[0] == Order::RotationThenTranslation => (MatrixKind::View, entries.orders()[0]),
+        (None, 12) => (MatrixKind::Pinhole, order),
+        (None, _) => nearest(entries, stated),
+    };
+    // Each reading that was tried left its error.
+    first(kind, order).or_else(|| refused.first().map(|r| r.2.clone())).unwrap_or(RecoveryError::Mirrored)
+}
+
+/// Sixteen numbers: a view ends in 0 0 0 1, a projection has its zeros.
+fn nearest(entries: &MatrixEntries, stated: &Stated) -> (MatrixKind, Order) {
+    let orders: &[Order] = if stated.by_columns { &[Order::Columns] } else { &[Order::Rows, Order::Columns] };
+    let violations = |m: DMat4| {
+        let size = m.to_cols_array().iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let zeros = [(0, 1), (0, 3), (1, 0), (1, 3), (2, 0), (2, 1), (3, 0), (3, 1), (3, 3)];
+        zeros.into_iter().filter(|(row, column)| m.row(*row)[*column].abs() > SLACK * size).count()
+    };
+    for order in orders {
+        let last = entries.in_order(*order).row(3);
+        if last.truncate().length() <= SLACK * last.w.abs() {
+            return (MatrixKind::View, *order);
+        }
+    }
+    let nearest = orders.iter().min_by_key(|order| violations(entries.in_order(**order))).copied();
+    let order = nearest.unwrap_or(Order::Rows);
+    let is_projection = violations(entries.in_order(order)) <= 2;
+    (if is_projection { MatrixKind::Projection } else { MatrixKind::ViewProjection }, order)
 }

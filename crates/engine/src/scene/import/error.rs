@@ -1,7 +1,6 @@
 //! Faults of a mesh file.
 
 use super::mesh_endings;
-use super::soup::TooLarge;
 use crate::limits::MAX_OBJECTS;
 use crate::scene::{ReadError, TextureError};
 
@@ -78,12 +77,6 @@ impl MeshError {
             Self::Unreadable(error) | Self::Gltf { fault: GltfFault::File { error, .. }, .. } => error.is_outside(),
             _ => false,
         }
-    }
-}
-
-impl From<TooLarge> for MeshError {
-    fn from(_: TooLarge) -> Self {
-        Self::TooLarge
     }
 }
 

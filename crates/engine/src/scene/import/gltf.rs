@@ -139,19 +139,10 @@ impl Materials<'_> {
         let name = place("images", image.index());
         match image.source() {
             ::gltf::image::Source::View { view, .. } => {
-                let bytes = self
-                    .reader
-                    .buffers
-                    .get(view.buffer().index())
-                    .and_then(|bytes| bytes.get(view.offset()..view.offset().checked_add(view.length())?));
-                self.textures.of_bytes(&name, alpha, bytes.unwrap_or_default())
+                self.textures.of_bytes(&name, alpha, self.reader.viewed(&view).unwrap_or_default())
             }
             ::gltf::image::Source::Uri { uri, .. } => match uri.strip_prefix("data:") {
-                Some(data) => {
-                    let text = data.split_once(";base64,").map(|(_, text)| text);
-                    let bytes = text.and_then(|t| base64::engine::general_purpose::STANDARD.decode(t).ok());
-                    self.textures.of_bytes(&name, alpha, &bytes.unwrap_or_default())
-                }
+                Some(data) => self.textures.of_bytes(&name, alpha, &decoded(data).unwrap_or_default()),
                 None => {
                     let file = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();
                     self.textures.get(&file, alpha, read_file)
@@ -286,6 +277,11 @@ fn broken_rule(error: Rule) -> GltfFault {
     }
 }
 
+/// The bytes of a data URI.
+fn decoded(data: &str) -> Option<Vec<u8>> {
+    base64::engine::general_purpose::STANDARD.decode(data.split_once(";base64,")?.1).ok()
+}
+
 /// The bytes of every buffer.
 fn buffers(
     document: &Document,
@@ -300,11 +296,7 @@ fn buffers(
         let bytes = match buffer.source() {
             ::gltf::buffer::Source::Bin => Rc::new(blob.take().ok_or_else(|| fault(GltfFault::NoBytes))?),
             ::gltf::buffer::Source::Uri(uri) => match uri.strip_prefix("data:") {
-                Some(data) => {
-                    let text = data.split_once(";base64,").map(|(_, text)| text);
-                    let decoded = text.and_then(|t| base64::engine::general_purpose::STANDARD.decode(t).ok());
-                    Rc::new(decoded.ok_or_else(|| fault(GltfFault::DataUri))?)
-                }
+                Some(data) => Rc::new(decoded(data).ok_or_else(|| fault(GltfFault::DataUri))?),
                 None => {
                     let name = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();
                     let failed = |error| fault(GltfFault::File { uri: escaped(uri), error: Box::new(error) });
@@ -554,12 +546,15 @@ impl Reader {
         Ok(Items { bytes: Cow::Owned(bytes), stride: item, item })
     }
 
+    fn viewed(&self, view: &View<'_>) -> Option<&[u8]> {
+        self.buffers.get(view.buffer().index())?.get(view.offset()..view.offset().checked_add(view.length())?)
+    }
+
     /// The bytes of `count` items of `item` bytes in a view, from `offset` on.
     fn strided(&self, view: &View<'_>, offset: usize, count: usize, item: usize) -> Result<Items<'_>, GltfFault> {
         let stride = view.stride().unwrap_or(item).max(item);
-        let data = self.buffers.get(view.buffer().index()).and_then(|bytes| {
-            let end = view.offset().checked_add(view.length())?;
-            let data = bytes.get(view.offset()..end)?.get(offset..)?;
+        let data = self.viewed(view).and_then(|bytes| {
+            let data = bytes.get(offset..)?;
             // The last item needn't be padded to the stride.
             let before_last = count.saturating_sub(1).checked_mul(stride)?;
             data.get(..if count == 0 { 0 } else { before_last.checked_add(item)? })

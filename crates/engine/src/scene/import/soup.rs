@@ -69,10 +69,6 @@ pub(super) async fn named_parts(
     Ok(Imported { parts, notices: left_out.notice().into_iter().chain(triangulator.notice()).collect() })
 }
 
-/// A soup with more corners than a mesh has indices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct TooLarge;
-
 impl Soup {
     /// Merges points with equal coordinates, because some formats repeat a point for each of its normals.
     pub(crate) fn weld(&mut self) {
@@ -86,7 +82,7 @@ impl Soup {
     }
 
     /// The part of a file with this mesh. Its vertices are there once for each of their colours.
-    pub(crate) fn into_part(self, triangulator: &mut Triangulator) -> Result<Part, TooLarge> {
+    pub(crate) fn into_part(self, triangulator: &mut Triangulator) -> Result<Part, MeshError> {
         let (mesh, uv, corner_colors) = self.into_mesh(triangulator)?;
         let first = corner_colors.first().map(|[first, ..]| *first);
         let color = first.filter(|first| corner_colors.iter().flatten().all(|color| color == first));
@@ -107,9 +103,9 @@ impl Soup {
     /// direction.
     ///
     /// With it come the texture coordinates and the colours of the corners of each triangle, if there are any.
-    fn into_mesh(self, triangulator: &mut Triangulator) -> Result<MeshAndCorners, TooLarge> {
+    fn into_mesh(self, triangulator: &mut Triangulator) -> Result<MeshAndCorners, MeshError> {
         if self.corners.len() >= MAX_VERTICES || self.positions.len() >= MAX_VERTICES {
-            return Err(TooLarge);
+            return Err(MeshError::TooLarge);
         }
         let normals: Option<Vec<DVec3>> = self.normals.iter().map(|&n| try_unit(n)).collect();
         let normals = normals.filter(|n| !n.is_empty());
@@ -294,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cube_without_normals_gets_creases_and_its_twelve_edges() -> Result<(), TooLarge> {
+    fn a_cube_without_normals_gets_creases_and_its_twelve_edges() -> Result<(), MeshError> {
         let (mesh, ..) = cube(false).into_mesh(&mut Triangulator::default())?;
         assert_eq!((mesh.positions.len(), mesh.triangles.len(), mesh.edges.len()), (24, 12, 12));
         assert!(mesh.closed);
@@ -306,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn doubled_points_are_welded_before_the_border_is_looked_for() -> Result<(), TooLarge> {
+    fn doubled_points_are_welded_before_the_border_is_looked_for() -> Result<(), MeshError> {
         assert!(!cube(true).into_mesh(&mut Triangulator::default())?.0.closed);
         let mut soup = cube(true);
         soup.weld();
@@ -317,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn smooth_surfaces_share_their_vertices_and_their_normals_are_nearly_the_true_ones() -> Result<(), TooLarge> {
+    fn smooth_surfaces_share_their_vertices_and_their_normals_are_nearly_the_true_ones() -> Result<(), MeshError> {
         let sphere = crate::scene::mesh::primitives::sphere(64);
         let points = sphere.positions.len();
         let (mesh, ..) = Soup { positions: sphere.positions, corners: sphere.triangles.concat(), ..Soup::default() }
@@ -331,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_or_turned_face_opens_the_surface_and_degenerate_faces_go() -> Result<(), TooLarge> {
+    fn a_missing_or_turned_face_opens_the_surface_and_degenerate_faces_go() -> Result<(), MeshError> {
         let mut open = cube(false);
         open.arities.pop();
         open.corners.truncate(20);

@@ -3,8 +3,8 @@
 use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot};
 
 use super::names::Field;
-use super::words::Word;
-use crate::camera::recovery::entries::{MatrixEntries, Written, rigid};
+use super::names::Word;
+use crate::camera::recovery::reading::{MatrixEntries, Written, rigid};
 use crate::camera::recovery::{Axes, MatrixKind, Order, Toward};
 use Field as F;
 
@@ -61,11 +61,13 @@ pub(crate) struct Sign {
     pub(crate) is_parallel: bool,
 }
 
+/// A side of the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Side {
     Up,
     Across,
     Smaller,
+    Larger,
 }
 
 const fn sign(words: &'static [&'static str], axes: Axes) -> Sign {
@@ -76,12 +78,16 @@ const NONE: Sign =
     Sign { words: &[], axes: None, side: Side::Up, is_radians: None, order: None, units: 1.0, is_parallel: false };
 
 /// The likelier first.
-const SIGNS: [Sign; 27] = [
+const SIGNS: [Sign; 31] = [
     Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["fvector("], Axes::UNREAL) },
     Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["ucameracomponent"], Axes::UNREAL) },
+    Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["frotator"], Axes::UNREAL) },
+    Sign { side: Side::Across, units: 0.01, is_radians: Some(false), ..sign(&["pitch=", "yaw="], Axes::UNREAL) },
     Sign { is_radians: Some(true), ..sign(&["babylon"], Axes::DIRECT3D) },
     sign(&["lookrotation("], Axes::DIRECT3D),
     sign(&["nearclipplane"], Axes::DIRECT3D),
+    Sign { is_radians: Some(false), ..sign(&["near clip plane"], Axes::DIRECT3D) },
+    sign(&["lookatlh"], Axes::DIRECT3D),
     Sign {
         order: Some(Order::Columns),
         is_parallel: true,
@@ -110,6 +116,12 @@ const SIGNS: [Sign; 27] = [
     sign(&["<vcgcamera"], Axes::OPENGL),
 ];
 
+impl Sign {
+    pub(crate) fn is_pov(&self) -> bool {
+        self.words.contains(&"look_at")
+    }
+}
+
 /// The conventions of a text.
 pub(crate) fn sign_of(text: &str) -> Sign {
     let text = text.to_lowercase();
@@ -135,7 +147,7 @@ impl<'a> Said<'a> {
                 let count = if let [_] = entry.fields { rest.len() } else { field.count().unwrap_or(0) };
                 let (own, after) = rest.split_at(count.min(rest.len()));
                 rest = after;
-                let is_many = matches!(field, F::Coefficient | F::Skip | F::Unknown | F::Part | F::Binning | F::Model);
+                let is_many = matches!(field, F::Coefficient | F::Skip | F::Unknown | F::Part | F::Model);
                 if !is_many && first.iter().any(|(other, ..)| other == field) {
                     repeated.push(at);
                 } else {
@@ -162,6 +174,10 @@ impl<'a> Said<'a> {
 
     pub(crate) fn number(&mut self, field: Field) -> Option<f64> {
         self.list(field)?.first().copied()
+    }
+
+    pub(crate) fn pair(&mut self, a: Field, b: Field) -> Option<[f64; 2]> {
+        self.number(a).zip(self.number(b)).map(|(a, b)| [a, b])
     }
 
     pub(crate) fn vector(&mut self, field: Field) -> Option<DVec3> {
@@ -197,7 +213,10 @@ pub(crate) const fn word(word: &'static str, kind: MatrixKind, axes: Option<Axes
 impl Said<'_> {
     /// The pose, if there is a whole one. `is_vision`: a lens in pixels stands beside it.
     pub(crate) fn pose(&mut self, is_vision: bool) -> Option<Pose> {
-        let axes = self.sign.axes;
+        let mut axes = self.sign.axes;
+        if self.sign.is_pov() && self.vector(F::Across).is_some_and(|right| right.x < 0.0) {
+            axes = Some(Axes::OPENGL);
+        }
         // COLMAP names its quaternion.
         let vision = axes.or((is_vision || self.has(F::Wxyz)).then_some(Axes::OPENCV));
         let exact = |m: DMat4| MatrixEntries::of_matrix(m, 1e-6);
@@ -208,7 +227,7 @@ impl Said<'_> {
             let said = Word::full("P", MatrixKind::Pinhole, Axes::OPENCV, Order::Rows);
             return Some((MatrixEntries::new(numbers.to_vec(), Some(4))?, said));
         }
-        if let Some((at, numbers)) = self.written(F::Matrix) {
+        if let Some((at, numbers)) = self.written(F::Matrix).or_else(|| self.written(F::Projection)) {
             let entry = &self.entries[at];
             let entries = MatrixEntries::new(numbers.to_vec(), in_line(&entry.lines))?;
             let mut said = entry.word?;
@@ -230,7 +249,7 @@ impl Said<'_> {
         let target = if self.has(F::Target) { F::Target } else { F::Center };
         let up = |said: &mut Self| {
             let is_z = axes.is_some_and(|axes| axes.up == crate::camera::WorldUp::Z);
-            said.vector(F::Up).unwrap_or(if is_z { DVec3::Z } else { DVec3::Y })
+            said.vector(F::Sky).or_else(|| said.vector(F::Up)).unwrap_or(if is_z { DVec3::Z } else { DVec3::Y })
         };
         let units = self.sign.units;
         if self.has(F::Eye) && self.has(target) {
@@ -244,17 +263,13 @@ impl Said<'_> {
         if let Some(focus) = self.vector(target).filter(|_| !is_center || self.has(F::Backward)) {
             let n = self.vector(F::Backward).or_else(|| self.vector(F::Front))?.normalize();
             let c = focus + n * self.distance()?;
-            let nine: Vec<_> = [c, focus, up(self)].iter().flat_map(|v| v.to_array()).collect();
-            let nine = nine.into_iter().map(|value| Written { value, error: 1e-9 * value.abs().max(1.0) }).collect();
-            return Some((MatrixEntries::new(nine, Some(3))?, word("focus", MatrixKind::LookAt, axes, None)));
+            return look_at([c, focus, up(self)], 1e-9, word("focus", MatrixKind::LookAt, axes, None));
         }
         if self.name(F::Eye).to_lowercase().ends_with("cameraposition") {
             // A trace of ParaView leaves out what is as usual.
             let c = self.vector(F::Eye)?;
-            let nine = [c, DVec3::ZERO, up(self)].iter().flat_map(|v| v.to_array()).collect::<Vec<_>>();
-            let nine = nine.into_iter().map(|value| Written { value, error: 0.0 }).collect();
             let said = word("CameraPosition", MatrixKind::LookAt, Some(Axes::OPENGL), Some(Order::Rows));
-            return Some((MatrixEntries::new(nine, Some(3))?, said));
+            return look_at([c, DVec3::ZERO, up(self)], 0.0, said);
         }
         let ahead = [F::Forward, F::Front, F::Backward].into_iter().find(|field| self.has(*field));
         if let (Some(field), true) = (ahead, self.has(F::Eye)) {
@@ -280,7 +295,7 @@ impl Said<'_> {
             let c = self.vector(if is_center { F::Center } else { F::Eye })?;
             return match rotation {
                 Turn::Matrix(r) if is_center => view(rigid(rows_of(r), -(r * c)), vision),
-                Turn::Matrix(r) => inverse(rigid(rows_of(r), c), vision, "position"),
+                Turn::Matrix(r) => inverse(rigid(rows_of(r), c * units), vision, "position"),
                 Turn::Quaternion(q, order) => {
                     let axes = axes.or(self.has(F::Fx).then_some(Axes::OPENCV));
                     seven([c.to_array().to_vec(), q], order, word("position", MatrixKind::CameraToWorld, axes, None))
@@ -292,7 +307,7 @@ impl Said<'_> {
             Turn::Matrix(r) => view(rigid(rows_of(r), t), vision),
             // A node of glTF.
             Turn::Quaternion(q, Some(false)) if self.has(F::Xyzw) || !is_vision => {
-                let said = word("rotation", MatrixKind::CameraToWorld, Some(Axes::OPENGL), None);
+                let said = word("rotation", MatrixKind::CameraToWorld, axes, None);
                 seven([self.vector(eye)?.to_array().to_vec(), q], Some(false), said)
             }
             Turn::Quaternion(q, order) => {
@@ -301,6 +316,12 @@ impl Said<'_> {
                 view(DMat4::from_rotation_translation(q, t), vision)
             }
         }
+    }
+
+    /// M_p alone.
+    pub(crate) fn only_projection(&mut self) -> Option<Pose> {
+        self.first.retain(|(field, ..)| *field == F::Projection);
+        self.pose(false)
     }
 
     /// From the target to the camera, as `VisIt` and `Open3D` keep it.
@@ -319,6 +340,14 @@ impl Said<'_> {
             let m = DMat3::from_mat4(matrix_of(&r, 3));
             return matrix(if self.sign.order == Some(Order::Columns) { m.transpose() } else { m });
         }
+        if self.sign.axes == Some(Axes::UNREAL) && (self.has(F::Yaw) || self.has(F::Rotation3)) {
+            let [pitch, yaw, roll] = match self.vector(F::Rotation3) {
+                Some(own) => own.to_array(),
+                None => [F::Pitch, F::Yaw, F::Roll].map(|field| self.number(field).unwrap_or(0.0)),
+            }
+            .map(f64::to_radians);
+            return matrix(DMat3::from_euler(EulerRot::ZYX, yaw, -pitch, -roll));
+        }
         let is_vector = self.has(F::Rvec) || self.has(F::Rotation3) && is_vision;
         if is_vector {
             let field = if self.has(F::Rvec) { F::Rvec } else { F::Rotation3 };
@@ -330,6 +359,9 @@ impl Said<'_> {
         if let Some(a) = self.vector(F::Euler) {
             return matrix(DMat3::from_euler(EulerRot::ZYX, a.z, a.y, a.x));
         }
+        if self.sign.words == ["viewpoint"] && !self.has(F::Quaternion) {
+            return matrix(DMat3::IDENTITY);
+        }
         let orders = [(F::Wxyz, Some(true)), (F::Xyzw, Some(false)), (F::Quaternion, None)];
         orders.into_iter().find_map(|(field, order)| Some(Turn::Quaternion(self.list(field)?, order)))
     }
@@ -339,6 +371,13 @@ impl Said<'_> {
 enum Turn {
     Matrix(DMat3),
     Quaternion(Vec<f64>, Option<bool>),
+}
+
+/// C, PF and VUP, with the share of each number that is its error.
+fn look_at(rows: [DVec3; 3], error: f64, said: Word) -> Option<Pose> {
+    let written = |value: f64| Written { value, error: error * value.abs().max(1.0) };
+    let nine = rows.iter().flat_map(|v| v.to_array()).map(written).collect();
+    Some((MatrixEntries::new(nine, Some(3))?, said))
 }
 
 /// t and a quaternion.

@@ -1,9 +1,9 @@
 //! Files that keep a camera in several places, or in a line: each becomes a tree with a part for each camera.
 
-use glam::{DMat3, DMat4, DQuat, DVec3};
+use glam::{DMat3, DMat4, DQuat, DVec3, dcamera};
 
-use super::tree::{Node, Value};
-use crate::camera::recovery::entries::Written;
+use super::tree::{DEPTH, Node, Value, fold, listed};
+use crate::camera::recovery::reading::Written;
 
 /// The parts of one camera.
 fn camera(name: &str, mut parts: Vec<Node>) -> Node {
@@ -100,7 +100,7 @@ pub(crate) fn colmap(text: &str) -> Option<Node> {
                 match lenses.iter().find(|lens: &&(String, Vec<Node>)| lens.0 == id) {
                     Some((_, lens)) => parts.extend(lens.clone()),
                     None if lenses.is_empty() => {}
-                    None => parts.push(Node::new("camera", Value::Word(id.to_owned()))),
+                    None => parts.push(Node::new(&format!("camera {id}"), Value::Word("?".to_owned()))),
                 }
                 poses.push(camera(&name, parts));
                 has_pose = true;
@@ -204,9 +204,86 @@ const MAX_STEPS: usize = 100_000;
 /// The most parts of a pose above a camera. More are a cycle.
 const MAX_PARTS: usize = 200;
 
+/// Where a part of a scene stands. A camera has no scale: of what is above it, rotations turn it, and scales only move
+/// it.
+#[derive(Clone, Default)]
+struct Place {
+    world: DMat4,
+    turn: DMat3,
+    parts: Vec<Node>,
+}
+
+impl Place {
+    /// A part inside this one: its steps, the outermost first. Those that aren't known stay as they are.
+    fn inside<'a>(&self, path: &str, steps: impl Iterator<Item = &'a Node>) -> Self {
+        let mut place = self.clone();
+        for node in steps {
+            let known = step(node);
+            let end = if known.is_some() { "part" } else { "step" };
+            place.parts.push(Node { name: format!("{path}.{}.{end}", node.name), ..node.clone() });
+            let Some(own) = known else { continue };
+            let unit = |axis: glam::DVec4| axis.truncate().normalize_or_zero();
+            let turn = DMat3::from_cols(unit(own.x_axis), unit(own.y_axis), unit(own.z_axis));
+            let mirror = if turn.determinant() < 0.0 { DVec3::new(-1.0, 1.0, 1.0) } else { DVec3::ONE };
+            let is_scale = node.name.to_lowercase().ends_with("scale");
+            place.world *= own;
+            place.turn *= if is_scale { DMat3::IDENTITY } else { turn * DMat3::from_diagonal(mirror) };
+        }
+        place
+    }
+
+    /// A camera that stands here, with its lens.
+    fn camera<'a>(self, program: &str, name: &str, lens: impl Iterator<Item = &'a Node>) -> Node {
+        let scale = DMat3::from_mat4(self.world);
+        let mut rigid = DMat4::from_mat3(self.turn);
+        rigid.w_axis = self.world.w_axis;
+        // Another last row stays, so that it's refused.
+        let is_affine = self.world.row(3) == glam::DVec4::W;
+        let mut own = vec![matrix(&format!("{program}.matrix"), if is_affine { rigid } else { self.world })];
+        if !scale.abs_diff_eq(self.turn, 1e-5) {
+            let lengths = [scale.x_axis, scale.y_axis, scale.z_axis].map(DVec3::length);
+            own.push(Node::exact(&format!("{program}.scale"), &lengths));
+        }
+        own.extend(self.parts);
+        own.extend(lens.cloned());
+        camera(name, own)
+    }
+}
+
+/// A step of a transform, by its name in USD, pbrt, COLLADA, glTF or three.js.
+fn step(node: &Node) -> Option<DMat4> {
+    let values = node.values();
+    let vector = |k: usize| DVec3::from_slice(&values[k..k + 3]);
+    let turn = |axis: DVec3, degrees: f64| Some(DMat4::from_axis_angle(axis.try_normalize()?, degrees.to_radians()));
+    let quaternion = |q: [f64; 4]| DMat4::from_quat(DQuat::from_array(q).normalize());
+    let name = if node.call.is_empty() { &node.name } else { &node.call };
+    Some(match (name.as_str(), values.as_slice()) {
+        // COLLADA has rows, the others columns.
+        ("matrix" | "transform" | "Transform" | "ConcatTransform", m) => {
+            let m = DMat4::from_cols_array(m.try_into().ok()?);
+            if node.call.is_empty() { m } else { m.transpose() }
+        }
+        ("translate" | "Translate" | "translation", [_, _, _]) => DMat4::from_translation(vector(0)),
+        ("scale" | "Scale", [_, _, _]) => DMat4::from_scale(vector(0)),
+        ("rotation", [x, y, z, w]) | ("orient", [w, x, y, z]) => quaternion([*x, *y, *z, *w]),
+        ("Rotate", [degrees, _, _, _]) => turn(vector(1), *degrees)?,
+        ("rotate", [_, _, _, degrees]) => turn(vector(0), *degrees)?,
+        ("LookAt", values) if values.len() == 9 => dcamera::lh::view::look_at_mat4(vector(0), vector(3), vector(6)),
+        ("lookat", values) if values.len() == 9 => {
+            dcamera::rh::view::look_at_mat4(vector(0), vector(3), vector(6)).inverse()
+        }
+        // `rotateXYZ` turns about x first.
+        (name, angles) => {
+            let axes = name.strip_prefix("rotate").filter(|axes| !axes.is_empty() && axes.len() == angles.len())?;
+            axes.chars().try_fold(DMat4::IDENTITY, |m, axis| {
+                let axis = "XYZ".find(axis)?;
+                Some(turn(DVec3::AXES[axis], angles[if angles.len() == 1 { 0 } else { axis }])? * m)
+            })?
+        }
+    })
+}
+
 /// The cameras of glTF: each node that has one, in the world of its scene.
-///
-/// A camera has no scale: of the nodes above it, rotations turn it, and scales only move it.
 pub(crate) fn gltf(file: &Node) -> Option<Node> {
     let (nodes, lenses) = (items(file.child("nodes")), items(file.child("cameras")));
     file.child("asset").or(file.child("scenes"))?;
@@ -226,88 +303,151 @@ pub(crate) fn gltf(file: &Node) -> Option<Node> {
     let mut is_inner = vec![false; nodes.len()];
     nodes.iter().flat_map(|node| children(node)).for_each(|child| is_inner[child] = true);
     let roots = (0..nodes.len()).rev().filter(|node| !is_inner[*node]);
-    let start = (DMat4::IDENTITY, DMat3::IDENTITY, Vec::<Node>::new());
-    let mut waiting: Vec<_> = roots.map(|node| (node, start.clone())).collect();
+    let mut waiting: Vec<_> = roots.map(|node| (node, Place::default())).collect();
     let mut found = Vec::new();
     for _ in 0..MAX_STEPS {
-        let Some((at, (parent, turn, mut parts))) = waiting.pop() else { break };
-        if parts.len() > MAX_PARTS {
+        let Some((at, parent)) = waiting.pop() else { break };
+        if parent.parts.len() > MAX_PARTS {
             continue;
         }
         let node = nodes[at];
-        let (own, own_turn) = transform(node);
-        let (world, turn) = (parent * own, turn * own_turn);
-        let keys = ["matrix", "translation", "rotation", "scale"];
-        parts.extend(
-            keys.into_iter()
-                .filter_map(|key| node.child(key))
-                .map(|part| Node { name: format!("nodes[{at}].{}.part", part.name), ..part.clone() }),
-        );
+        let keys: &[&str] =
+            if node.child("matrix").is_some() { &["matrix"] } else { &["translation", "rotation", "scale"] };
+        let place = parent.inside(&format!("nodes[{at}]"), keys.iter().filter_map(|key| node.child(key)));
+        waiting.extend(children(node).into_iter().rev().map(|child| (child, place.clone())));
         if let Some(lens) = node.number("camera").and_then(|at| index(at, lenses.len())).map(|at| lenses[at]) {
-            let name = [lens, node].iter().find_map(|thing| thing.child("name")?.word().map(str::to_owned));
-            let scale = DMat3::from_mat4(world);
-            let is_rigid = scale.abs_diff_eq(turn, 1e-9);
-            let rigid = DMat4::from_cols(
-                turn.x_axis.extend(0.0),
-                turn.y_axis.extend(0.0),
-                turn.z_axis.extend(0.0),
-                world.w_axis,
-            );
-            let mut own = vec![matrix("glTF.matrix", rigid)];
-            own.extend((!is_rigid).then(|| {
-                Node::exact("glTF.scale", &[scale.x_axis.length(), scale.y_axis.length(), scale.z_axis.length()])
-            }));
-            own.extend(parts.clone());
-            own.extend(lens.children().iter().filter(|child| child.name != "name").cloned());
-            found.push(camera(&name.unwrap_or_default(), own));
+            let name = [lens, node].iter().find_map(|thing| thing.child("name")?.word()).unwrap_or_default();
+            found.push(place.camera("glTF", name, lens.children().iter().filter(|child| child.name != "name")));
         }
-        waiting.extend(children(node).into_iter().rev().map(|child| (child, (world, turn, parts.clone()))));
     }
-    let others = file.children().iter().filter(|child| !matches!(child.name.as_str(), "nodes" | "cameras"));
-    let others = others.map(|child| Node::new(&child.name, Value::Word(format!("{} numbers", child.values().len()))));
-    let cameras = list(found)?;
-    Some(Node::new("", Value::Inner(others.chain([cameras]).collect())))
+    beside(file, &["nodes", "cameras"], found)
 }
 
-/// A node's matrix, or T R S, and how it turns.
-fn transform(node: &Node) -> (DMat4, DMat3) {
-    if let Some(Ok(own)) = node.child("matrix").map(|matrix| <[f64; 16]>::try_from(matrix.values())) {
-        let m = DMat4::from_cols_array(&own);
-        let unit = |axis: glam::DVec4| axis.truncate().normalize_or_zero();
-        let turn = DMat3::from_cols(unit(m.x_axis), unit(m.y_axis), unit(m.z_axis));
-        let mirror = if turn.determinant() < 0.0 { DVec3::new(-1.0, 1.0, 1.0) } else { DVec3::ONE };
-        return (m, turn * DMat3::from_diagonal(mirror));
-    }
-    let three = |key: &str, default: f64| match node.child(key).map(Node::values).as_deref() {
-        Some([x, y, z]) => DVec3::new(*x, *y, *z),
-        _ => DVec3::splat(default),
+/// Cameras, and the other parts of their file.
+fn beside(file: &Node, taken: &[&str], cameras: Vec<Node>) -> Option<Node> {
+    let others = file.children().iter().filter(|child| !taken.contains(&child.name.as_str()));
+    let shown = |child: &Node| match child.values().as_slice() {
+        few if few.len() <= 16 => few.iter().map(f64::to_string).collect::<Vec<_>>().join(" "),
+        many => format!("{} numbers", many.len()),
     };
-    let rotation = match node.child("rotation").map(Node::values).as_deref() {
-        Some([x, y, z, w]) => DQuat::from_xyzw(*x, *y, *z, *w).normalize(),
-        _ => DQuat::IDENTITY,
-    };
-    let m = DMat4::from_scale_rotation_translation(three("scale", 1.0), rotation, three("translation", 0.0));
-    (m, DMat3::from_quat(rotation))
+    let others = others.map(|child| Node::new(&child.name, Value::Word(shown(child))));
+    let cameras = list(cameras)?;
+    Some(Node::new("", Value::Inner(others.chain([cameras]).collect())))
 }
 
 /// The cameras of an object of three.js and of its children.
 pub(crate) fn three_js(file: &Node) -> Option<Node> {
     let mut found = Vec::new();
-    three_js_object(file.child("object").unwrap_or(file), DMat4::IDENTITY, &mut found);
+    three_js_object(file.child("object").unwrap_or(file), &Place::default(), &mut found);
     list(found)
 }
 
-fn three_js_object(object: &Node, parent: DMat4, found: &mut Vec<Node>) {
-    let own = object.child("matrix").and_then(|m| <[f64; 16]>::try_from(m.values()).ok());
-    let world = parent * own.map_or(DMat4::IDENTITY, |m| DMat4::from_cols_array(&m));
+fn three_js_object(object: &Node, parent: &Place, found: &mut Vec<Node>) {
+    let place = Place { parts: Vec::new(), ..parent.inside("", object.child("matrix").into_iter()) };
     let kind = object.child("type").and_then(Node::word);
     if matches!(kind, Some("PerspectiveCamera" | "OrthographicCamera")) {
-        let mut parts = vec![matrix("three.js.matrix", world)];
         let others = object.children().iter().filter(|child| !matches!(child.name.as_str(), "matrix" | "children"));
-        parts.extend(others.cloned());
-        found.push(camera("", parts));
+        found.push(place.clone().camera("three.js", "", others));
     }
-    items(object.child("children")).into_iter().for_each(|child| three_js_object(child, world, found));
+    items(object.child("children")).into_iter().for_each(|child| three_js_object(child, &place, found));
+}
+
+/// The cameras of USD as text: each `def Camera`, in the places of the parts around it.
+pub(crate) fn usd(file: &Node) -> Option<Node> {
+    let up = file.children().iter().flat_map(Node::children).find(|child| child.name == "upAxis");
+    let program = if up.and_then(Node::word) == Some("Z") { "USD.z_up" } else { "USD" };
+    let mut found = Vec::new();
+    usd_parts(file.children(), "", program, &Place::default(), &mut found);
+    list(found)
+}
+
+fn usd_parts(nodes: &[Node], path: &str, program: &str, parent: &Place, found: &mut Vec<Node>) {
+    for pair in nodes.windows(2).filter(|pair| matches!(pair[0].name.as_str(), "def" | "over")) {
+        let [.., Node { value: Value::Inner(body), .. }] = pair[1].children() else { continue };
+        let name = pair[1].children().iter().find_map(Node::word).unwrap_or_default();
+        let is_step = |node: &&[Node]| node[0].name == "xformOp";
+        let steps = || body.windows(2).filter(is_step).map(|pair| &pair[1]);
+        let order = body.iter().find(|node| node.name == "xformOpOrder").map(Node::children).unwrap_or_default();
+        let named = |op: &Node| {
+            steps().find(|step| op.word().and_then(|op| op.strip_prefix("xformOp:")) == Some(step.name.as_str()))
+        };
+        let known: Vec<&Node> = order.iter().filter_map(named).collect();
+        let known = if known.is_empty() { steps().collect() } else { known };
+        let path = format!("{path}/{name}");
+        let place = parent.inside(&path, known.into_iter());
+        if pair[1].name == "Camera" {
+            let is_lens = |child: &&Node| {
+                child.word() != Some("") && steps().all(|step| !std::ptr::eq(step, *child)) && child.name != "token"
+            };
+            // What USD has if it isn't said.
+            let defaults = [("focalLength", 50.0), ("horizontalAperture", 20.955), ("verticalAperture", 15.2908)];
+            let has = |name: &str| body.iter().any(|node| node.name == name);
+            let defaults: Vec<Node> =
+                defaults.iter().filter(|(name, _)| !has(name)).map(|(name, x)| Node::exact(name, &[*x])).collect();
+            found.push(place.clone().camera(program, name, body.iter().filter(is_lens).chain(&defaults)));
+        }
+        usd_parts(body, &path, program, &place, found);
+    }
+}
+
+/// The cameras of COLLADA: each node that has one, in the places of the nodes around it.
+pub(crate) fn collada(file: &Node) -> Option<Node> {
+    let file = file.child("COLLADA")?;
+    let up = file.child("asset").and_then(|asset| asset.child("up_axis")?.word());
+    let program = if up == Some("Z_UP") { "COLLADA.z_up" } else { "COLLADA" };
+    let mut found = Vec::new();
+    for scene in file.child("library_visual_scenes")?.children() {
+        let lenses = file.child("library_cameras").map(Node::children).unwrap_or_default();
+        collada_nodes(scene, lenses, program, &Place::default(), &mut found);
+    }
+    beside(file, &["library_visual_scenes", "library_cameras"], found)
+}
+
+fn collada_nodes(node: &Node, lenses: &[Node], program: &str, parent: &Place, found: &mut Vec<Node>) {
+    let word = |node: &Node, name: &str| node.child(name).and_then(Node::word).unwrap_or_default().to_owned();
+    for node in node.children().iter().filter(|node| node.call == "node") {
+        let steps = node.children().iter().filter(|child| step(child).is_some());
+        let place = parent.inside(&word(node, "id"), steps);
+        for instance in node.children().iter().filter(|child| child.call == "instance_camera") {
+            let url = word(instance, "url");
+            let lens = lenses.iter().find(|lens| url.strip_prefix('#') == Some(&word(lens, "id")));
+            let lens = lens.map(Node::children).unwrap_or_default();
+            let lens = lens.iter().filter(|child| !matches!(child.name.as_str(), "id" | "name"));
+            found.push(place.clone().camera(program, &word(node, "name"), lens));
+        }
+        collada_nodes(node, lenses, program, &place, found);
+    }
+}
+
+/// A camera of pbrt below several steps, which lead from the world to the camera. A mirror among them makes the world
+/// right-handed.
+pub(crate) fn pbrt(file: &Node) -> Option<Node> {
+    let place = |name: &str| file.children().iter().position(|node| node.name == name);
+    // RenderMan's steps stand behind its projection.
+    let end = place("Camera").or(place("WorldBegin").filter(|_| place("Projection").is_some()))?;
+    let is_step = |node: &&Node| node.name.starts_with(char::is_uppercase) && step(node).is_some();
+    let steps: Vec<&Node> = file.children()[..end].iter().filter(is_step).collect();
+    let is_one = matches!(steps[..], [only] if only.name == "LookAt");
+    if steps.is_empty() {
+        return None;
+    }
+    let start = steps.iter().rposition(|node| node.name == "Transform").unwrap_or(0);
+    let mut view = steps[start..].iter().filter_map(|node| step(node)).fold(DMat4::IDENTITY, |m, step| m * step);
+    let mirrors = view.determinant() < 0.0;
+    if mirrors {
+        view = DMat4::from_scale(DVec3::new(1.0, 1.0, -1.0)) * view;
+    }
+    let mut own = vec![matrix(if mirrors { "pbrt.mirrored.view" } else { "pbrt.view" }, view)];
+    own.truncate(usize::from(!is_one));
+    own.extend(file.children().iter().take_while(|node| node.name != "WorldBegin").map(|node| {
+        let name = match node.name.as_str() {
+            "Camera" => "Camera.projection".to_owned(),
+            name if !is_one && is_step(&node) => format!("{name}.part"),
+            name => name.to_owned(),
+        };
+        Node { name, ..node.clone() }
+    }));
+    list(vec![camera("", own)])
 }
 
 /// `sfm_data.json` of `OpenMVG`: each view has the numbers of its lens and of its pose.
@@ -318,9 +458,12 @@ pub(crate) fn open_mvg(file: &Node) -> Option<Node> {
         list.iter().find(|item| key.is_some() && item.number("key") == key).map(|item| (*item).clone())
     };
     let view = |view: &Node| {
-        let data = view.child("value")?.child("ptr_wrapper")?.child("data")?;
+        let (value, pointer) = (view.child("value")?, view.child("value")?.child("ptr_wrapper")?);
+        let data = pointer.child("data")?;
         let parts = [of(&lenses, data.number("id_intrinsic")), of(&poses, data.number("id_pose"))];
-        let own = data.children().iter().cloned().chain(parts.into_iter().flatten());
+        let around = [view, value, pointer].into_iter().flat_map(Node::children);
+        let around = around.filter(|node| !matches!(node.name.as_str(), "value" | "ptr_wrapper" | "data"));
+        let own = data.children().iter().chain(around).cloned().chain(parts.into_iter().flatten());
         Some(Node::new("", Value::Inner(own.collect())))
     };
     list(items(Some(views)).into_iter().map(view).collect::<Option<_>>()?)
@@ -350,8 +493,13 @@ pub(crate) fn metashape(file: &Node) -> Option<Node> {
             parts.push(matrix("Metashape.transform", world * DMat4::from_cols_array(&own).transpose()));
         }
         let id = node.number("sensor_id");
-        let lens = all("sensors", "sensor").find(|sensor| sensor.number("id") == id);
-        if let Some(lens) = lens.and_then(|sensor| sensor.child("calibration").or(sensor.child("resolution"))) {
+        let sensor = all("sensors", "sensor").find(|sensor| sensor.number("id") == id);
+        let of_sensor = sensor.map(Node::children).unwrap_or_default().iter();
+        let is_taken = |child: &&Node| node.child(&child.name).is_some_and(|first| std::ptr::eq(first, *child));
+        let others = node.children().iter();
+        let others = others.filter(|child| !(matches!(child.name.as_str(), "label" | "transform") && is_taken(child)));
+        parts.extend(others.chain(of_sensor.filter(|child| child.name != "calibration")).cloned());
+        if let Some(lens) = sensor.and_then(|sensor| sensor.child("calibration").or(sensor.child("resolution"))) {
             // Older files have f_x, and count from the corner.
             let title = if lens.child("f").is_some() { "Metashape" } else { "calibration" };
             parts.push(Node::new(title, lens.value.clone()));
@@ -359,4 +507,80 @@ pub(crate) fn metashape(file: &Node) -> Option<Node> {
         camera(&name, parts)
     };
     list(all("cameras", "camera").map(one).collect())
+}
+
+/// The numbers of a text, or the text.
+fn content(text: &str) -> Value {
+    match listed(text) {
+        Some(numbers) => {
+            let lines = text.lines().map(|line| line.split_whitespace().count()).filter(|count| *count > 0).collect();
+            Value::Numbers(numbers, lines)
+        }
+        None => Value::Word(text.to_owned()),
+    }
+}
+
+/// The tree of XML.
+pub(crate) fn xml_tree(text: &str) -> Node {
+    Node::new("", fold(xml(text)))
+}
+
+/// The elements of XML: attributes are nodes as well. An attribute that names an element is its name.
+fn xml(text: &str) -> Vec<Node> {
+    let mut open: Vec<(Node, Vec<Node>)> = vec![Default::default()];
+    let mut rest = text;
+    while let Some(at) = rest.find('<') {
+        let between = rest[..at].trim();
+        // There is always the whole.
+        if let Some((_, inner)) = open.last_mut().filter(|_| !between.is_empty()) {
+            inner.push(Node::new("", content(between)));
+        }
+        rest = &rest[at..];
+        let end = if rest.starts_with("<!--") { "-->" } else { ">" };
+        let Some(length) = rest.find(end) else { break };
+        let tag = &rest[1..length];
+        rest = &rest[length + end.len()..];
+        if tag.starts_with(['?', '!']) {
+            continue;
+        }
+        if !tag.starts_with('/') && open.len() <= DEPTH {
+            open.push(element(tag.trim_end_matches('/')));
+        }
+        if (tag.starts_with('/') || tag.ends_with('/')) && open.len() > 1 {
+            // It has more than the whole.
+            close(&mut open);
+        }
+    }
+    while open.len() > 1 {
+        close(&mut open);
+    }
+    open.pop().map(|(_, inner)| inner).unwrap_or_default()
+}
+
+/// Puts the last open element into the one around it.
+fn close(open: &mut Vec<(Node, Vec<Node>)>) {
+    if let Some((mut node, inner)) = open.pop()
+        && let Some((_, outer)) = open.last_mut()
+    {
+        node.value = fold(inner);
+        outer.push(node);
+    }
+}
+
+fn element(tag: &str) -> (Node, Vec<Node>) {
+    let (name, mut rest) = tag.split_once(char::is_whitespace).unwrap_or((tag, ""));
+    let mut node = Node { name: name.to_owned(), call: name.to_owned(), ..Node::default() };
+    let mut inner = Vec::new();
+    while let Some((key, after)) = rest.split_once('=') {
+        let after = after.trim_start();
+        let Some(mark) = after.chars().next().filter(|c| matches!(c, '"' | '\'')) else { break };
+        let Some((value, after)) = after[1..].split_once(mark) else { break };
+        rest = after;
+        match key.trim() {
+            "name" | "sid" if name != "node" && name != "camera" => value.clone_into(&mut node.name),
+            "value" | "data" => inner.push(Node::new("", content(value))),
+            key => inner.push(Node::new(key, content(value))),
+        }
+    }
+    (node, inner)
 }

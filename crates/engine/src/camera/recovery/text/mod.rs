@@ -5,26 +5,23 @@
 //! entry, and each entry is used, or named as left out ([`account`]). Numbers without such names are a matrix, a
 //! quaternion, K or three vectors by their count.
 
-mod account;
 mod camera;
 mod files;
 mod lens;
 mod names;
-pub(crate) mod numbers;
 mod tokens;
 mod tree;
 mod walk;
-mod words;
-mod xml;
 
 use glam::DMat4;
 
 use crate::camera::ImageSize;
-use crate::camera::recovery::entries::{MatrixEntries, Written};
+use crate::camera::recovery::reading::{MatrixEntries, Written};
 use crate::camera::recovery::{Axes, MatrixKind, MatrixTextError, Order, RecoveryError};
-use camera::in_line;
+pub(crate) use camera::Side;
+use camera::{Entry, in_line};
+pub(crate) use names::Word;
 use tree::Node;
-pub(crate) use words::Word;
 
 /// A camera of a text: its numbers, and the parts of their reading that the format or the words state.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,6 +32,8 @@ pub struct Pasted {
     pub(crate) entries: Option<MatrixEntries>,
     /// The part of the reading that the text states.
     pub(crate) word: Option<Word>,
+    /// M_p beside its pose.
+    pub(crate) projection: Option<Box<Self>>,
     /// The lens that goes with it.
     pub(crate) lens: Option<GivenLens>,
     /// The size of its image.
@@ -121,6 +120,10 @@ impl Why {
 pub(crate) struct GivenLens {
     pub(crate) size: Size,
     pub(crate) is_parallel: bool,
+    /// Its length is that over F.
+    pub(crate) is_slope: bool,
+    /// θ, if it is given.
+    pub(crate) degrees: Option<f64>,
     pub(crate) aspect: Option<f64>,
     /// The middle of the window, in shares of its sides.
     pub(crate) shift: [f64; 2],
@@ -130,33 +133,22 @@ pub(crate) struct GivenLens {
     pub(crate) zoom: f64,
     pub(crate) near: Option<f64>,
     pub(crate) far: Option<f64>,
-    /// The part of a larger image: left, top, width and height in shares of it.
+    /// The part of a larger window: left, top, width and height in shares of it.
     pub(crate) crop: Option<[f64; 4]>,
 }
 
-/// The size of a window. A slope is the side over F.
+/// The size of a window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) enum Size {
     /// That of the figure.
     #[default]
     Open,
     /// K in pixels. Without a principal point it's the middle of the image.
-    Pixels {
-        focal_lengths: [f64; 2],
-        principal_point: Option<[f64; 2]>,
-        skew: f64,
-    },
-    /// In degrees.
-    AngleY(f64),
-    SlopeY(f64),
-    SlopeX(f64),
-    SlopeSmaller(f64),
-    SlopeLarger(f64),
+    Pixels { focal_lengths: [f64; 2], principal_point: Option<[f64; 2]>, skew: f64 },
+    /// The length of a side.
+    Length(Side, f64),
     /// l, r, b and t.
     Sides([f64; 4]),
-    /// Of a parallel projection.
-    Height(f64),
-    Width(f64),
 }
 
 /// The names of several cameras, none for a single one. A number from 1 stands for a missing name.
@@ -191,18 +183,18 @@ impl Pasted {
     }
 
     /// The largest shift of a corner of the image by coefficients of distortion, in pixels.
-    fn shift_at_corner(&self, coefficients: &[(String, Vec<f64>)]) -> Option<f64> {
+    fn shift_at_corner(&self, coefficients: &[&Entry]) -> Option<f64> {
         let ImageSize { width, height } = self.image?;
         let Size::Pixels { focal_lengths: f, principal_point, .. } = self.lens?.size else { return None };
         let [m, n] = [width, height].map(f64::from);
         let middle = principal_point.unwrap_or([m / 2.0, n / 2.0]);
         let mut k = [0.0; 8];
-        for (name, values) in coefficients {
+        for entry in coefficients {
             let names = ["k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"];
-            let at = names.iter().position(|own| name.ends_with(own));
-            match (at, values.as_slice()) {
-                (Some(at), [value]) => k[at] = *value,
-                _ => k.iter_mut().zip(values).for_each(|(k, value)| *k = *value),
+            let at = names.iter().position(|own| names::plain(&entry.name).ends_with(own));
+            match (at, entry.numbers.as_slice()) {
+                (Some(at), [own]) => k[at] = own.value,
+                (_, own) => k.iter_mut().zip(own).for_each(|(k, own)| *k = own.value),
             }
         }
         let shift = |[i, j]: [f64; 2]| {
@@ -233,11 +225,13 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
     if text.matches("\\begin{").count() > 1 {
         return Err(MatrixTextError::Latex);
     }
-    let plain = numbers::without_comments(text);
+    let plain = tokens::without_comments(text);
+    let plain = if sign.is_pov() { tokens::pov(&plain) } else { plain };
     let start = plain.trim_start();
     let is_xml = start.starts_with('<') && (start.contains("</") || start.contains("/>"));
-    let tree = if is_xml { xml::read(start) } else { tree::read(&plain)? };
-    let by_parts = [files::gltf, files::open_mvg, files::metashape, files::three_js];
+    let tree = if is_xml { files::xml_tree(start) } else { tree::read(&plain)? };
+    let by_parts =
+        [files::gltf, files::open_mvg, files::metashape, files::three_js, files::usd, files::collada, files::pbrt];
     if let Some(tree) = by_parts.into_iter().find_map(|read| read(&tree)) {
         return walk::cameras(&tree, sign);
     }
@@ -280,7 +274,7 @@ impl MatrixEntries {
 fn of_numbers(tree: &Node, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
     let mut leaves = Vec::new();
     tree.leaves(&mut leaves);
-    let word = words::find(text);
+    let word = names::find(text);
     let is_size = |leaf: &Node, field| names::meaning(&names::plain(&leaf.name), 1, false) == Some(&[field]);
     let side = |field| leaves.iter().find(|leaf| leaf.numbers().0.len() == 1 && is_size(leaf, field));
     let image = side(names::Field::ImageWidth).zip(side(names::Field::ImageHeight));
@@ -311,7 +305,7 @@ fn of_numbers(tree: &Node, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
     };
     let cameras = chosen.into_iter().filter_map(|leaf| {
         let (numbers, lines) = leaf.numbers();
-        let own = words::find(&leaf.name).or(word.filter(|word| word.kind != Some(MatrixKind::Intrinsics)));
+        let own = names::find(&leaf.name).or(word.filter(|word| word.kind != Some(MatrixKind::Intrinsics)));
         let camera = of(&leaf.name, numbers, in_line(&lines), own)?;
         Some(Pasted { left_out: others.iter().map(left_out).collect(), ..camera })
     });

@@ -4,9 +4,10 @@
 //! names of its own. What differs are marks: `=` and `:`, brackets, indentation, tags.
 
 use crate::camera::recovery::MatrixTextError;
-use crate::camera::recovery::entries::Written;
-use crate::camera::recovery::text::numbers::{has_decimal_commas, is_separator, without_indices, written};
+use crate::camera::recovery::reading::Written;
+use crate::camera::recovery::text::names::{meaning, plain as plain_name};
 use crate::camera::recovery::text::tokens::{Reader, Token};
+use crate::camera::recovery::text::tokens::{has_decimal_commas, is_separator, without_indices, written};
 
 /// The depth of nesting that is read. No camera needs more.
 pub(crate) const DEPTH: usize = 60;
@@ -133,6 +134,14 @@ pub(crate) fn fold(mut nodes: Vec<Node>) -> Value {
         return nodes.swap_remove(0).value;
     }
     if !are_numbers || nodes.is_empty() {
+        // Coordinates stand in any order.
+        let axis = |node: &Node| {
+            let name = node.name.to_lowercase();
+            ["x", "y", "z", "w"].into_iter().position(|axis| name.strip_prefix('q').unwrap_or(&name) == axis)
+        };
+        if nodes.iter().all(|node| axis(node).is_some()) {
+            nodes.sort_by_key(axis);
+        }
         // Lists of pairs, as in Lisp.
         let is_pair = |node: &Node| node.name.is_empty() && matches!(node.children(), [own] if !own.name.is_empty());
         let are_pairs = nodes.len() > 1 && nodes.iter().filter(|node| node.name.is_empty()).all(is_pair);
@@ -187,7 +196,7 @@ fn plain(text: &str) -> Result<Vec<Node>, MatrixTextError> {
     // A section of TOML has all that follows.
     let mut all: Vec<Node> = Vec::new();
     let mut is_inside = false;
-    for mut node in nodes {
+    for mut node in components(nodes) {
         if node.name.starts_with('[') {
             node.name.remove(0);
             (is_inside, node.call) = (true, "section".to_owned());
@@ -199,6 +208,36 @@ fn plain(text: &str) -> Result<Vec<Node>, MatrixTextError> {
         }
     }
     Ok(all)
+}
+
+/// `position.x`, `position.y` and `position.z` are one vector, and a node of VRML has its name before it.
+fn components(nodes: Vec<Node>) -> Vec<Node> {
+    let mut all: Vec<Node> = Vec::new();
+    for mut node in nodes {
+        if let [.., def, own] = &all[..]
+            && def.name == "DEF"
+        {
+            (node.call, node.name) = (node.name, own.name.clone());
+            all.truncate(all.len() - 2);
+        }
+        let base = node.name.strip_suffix(['x', 'y', 'z', 'w']).and_then(|name| name.strip_suffix(['.', '_']));
+        let base = base
+            .filter(|base| {
+                !base.is_empty() && node.count() == 1 && meaning(&plain_name(&node.name), 1, false).is_none()
+            })
+            .map(str::to_owned);
+        match (base, all.last_mut()) {
+            (Some(base), Some(Node { name, value: Value::Inner(parts), .. })) if *name == base && !parts.is_empty() => {
+                parts.push(Node { name: node.name[base.len() + 1..].to_owned(), ..node });
+            }
+            (Some(base), _) if matches!(node.name.as_bytes(), [.., b'x' | b'w']) => {
+                let part = Node { name: node.name[base.len() + 1..].to_owned(), ..node };
+                all.push(Node::new(&base, Value::Inner(vec![part])));
+            }
+            _ => all.push(node),
+        }
+    }
+    all
 }
 
 impl Reader<'_> {
@@ -251,24 +290,34 @@ impl Reader<'_> {
                         self.factor = factor;
                     }
                 }
+                // `1280 x 720`, and `16.0 / 9.0`.
+                Token::Word(word) if matches!(word.as_str(), "/" | "x" | "×") && all.is_run => match self.peek() {
+                    &Token::Number(by) if word == "/" => {
+                        self.token();
+                        all.divide(by.value);
+                    }
+                    Token::Number(_) => {}
+                    _ => all.word(word),
+                },
                 Token::Word(word) => all.word(word),
                 Token::Quoted(text) => {
                     let is_name = match self.peek() {
-                        Token::Assign => true,
+                        Token::Assign(_) => true,
                         Token::Number(_) | Token::Open(_) => !all.waits(),
                         _ => false,
-                    } || is_typed(&text);
+                    };
                     match text.split_whitespace().last() {
-                        Some(last) if is_name => all.word(last.to_owned()),
+                        Some(last) if is_typed(&text) => all.word(last.to_owned()),
+                        Some(_) if is_name => all.word(text),
                         _ => all.text(&text),
                     }
                 }
-                Token::Assign => {
+                Token::Assign(is_label) => {
                     self.factor = 1.0;
-                    while matches!(self.peek(), Token::Assign) {
+                    while matches!(self.peek(), Token::Assign(_)) {
                         self.token();
                     }
-                    all.assign(self.indent);
+                    all.assign(self.indent, is_label);
                 }
                 Token::Dash if close.is_none() && depth < DEPTH => {
                     all.finish();
@@ -378,6 +427,15 @@ impl Sequence {
         (self.is_run, self.in_line, self.fresh) = (true, self.in_line + 1, false);
     }
 
+    /// Divides the last number.
+    fn divide(&mut self, by: f64) {
+        if let Some(Node { value: Value::Numbers(numbers, _), .. }) = self.values.last_mut()
+            && let Some(last) = numbers.last_mut()
+        {
+            *last = Written { value: last.value / by, error: 0.0 };
+        }
+    }
+
     fn push(&mut self, value: Value) {
         self.begin();
         self.values.push(Node::new("", value));
@@ -408,9 +466,13 @@ impl Sequence {
         }
     }
 
-    fn assign(&mut self, indent: usize) {
+    /// Words before `: ` are one name.
+    fn assign(&mut self, indent: usize, is_label: bool) {
         let mut names = std::mem::take(&mut self.pending);
         let has_commas = std::mem::take(&mut self.has_commas);
+        if is_label && !has_commas && !names.is_empty() {
+            names = vec![names.join(" ")];
+        }
         self.finish();
         let last = names.pop().unwrap_or_default();
         if !has_commas {
@@ -449,7 +511,14 @@ impl Sequence {
         } else if names.len() > 1 {
             self.done.extend(shared(&names, values));
         } else if let Some(name) = names.into_iter().next() {
-            self.done.push(Node { call, ..Node::new(&name, fold(values)) });
+            let mut node = Node { call, ..Node::new(&name, fold(values)) };
+            // `radians(45)` is in degrees.
+            let is_angle = |name: &str| name.to_lowercase().ends_with("radians");
+            if let (Value::Numbers(numbers, _), true) = (&mut node.value, is_angle(&name) || is_angle(&node.call)) {
+                numbers.iter_mut().for_each(|number| number.value = number.value.to_radians());
+                node.name = if is_angle(&name) { String::new() } else { name };
+            }
+            self.done.push(node);
         } else {
             self.done.extend(values);
         }

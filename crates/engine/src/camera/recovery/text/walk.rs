@@ -1,12 +1,12 @@
 //! A tree → the entries of each of its cameras.
 
-use super::account::assemble;
 use super::camera::{Entry, Sign};
+use super::lens::assemble;
 use super::names::{Field, is_known, meaning, plain};
 use super::tree::{Node, Value};
-use super::{LeftOut, MatrixTextError, Pasted, Why, words};
+use super::{LeftOut, MatrixTextError, Pasted, Why, names};
 use crate::camera::recovery::MatrixKind;
-use crate::camera::recovery::entries::Written;
+use crate::camera::recovery::reading::Written;
 use Field as F;
 
 /// A part of a tree: its own entries, and the parts inside.
@@ -49,11 +49,11 @@ impl Scope {
     }
 
     fn has_pose(&self) -> bool {
-        !self.is_sensor() && self.any(&Field::is_pose)
+        !self.is_sensor() && self.any(&|field| field.is_pose())
     }
 
     fn has_lens(&self) -> bool {
-        !self.is_sensor() && self.any(&Field::is_lens)
+        !self.is_sensor() && self.any(&|field| field.is_lens())
     }
 
     fn has_camera(&self) -> bool {
@@ -78,8 +78,8 @@ impl Scope {
 
 fn is_sensor(name: &str) -> bool {
     let name = name.to_lowercase();
-    ["velo", "lidar", "gps", "gyro", "accel", "inertial"].iter().any(|sensor| name.contains(sensor))
-        || name.split(['_', '.']).any(|part| matches!(part, "imu" | "imu0"))
+    ["lidar", "gps", "gyro", "accel", "inertial"].iter().any(|sensor| name.contains(sensor))
+        || name.split(['_', '.', '2']).any(|part| matches!(part, "imu" | "imu0") || part.starts_with("velo"))
 }
 
 /// Adds the entries of a node to a scope. `shown` is the path as it's written, `path` in plain names.
@@ -131,6 +131,7 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
         if is_foreign && !path.ends_with("tcamimu") && !path.ends_with("timucam") {
             return scope.entries.push(entry(&[F::NotCamera], "", None, node.numbers()));
         }
+        let is_vector = |fields: &&'static [Field]| matches!(fields, [F::Eye | F::Target | F::Center | F::Up]);
         for path in [&path, &call] {
             let stripped = path.trim_end_matches(|c: char| c.is_ascii_digit());
             let found = meaning(path, count, is_inner).map(|fields| (fields, ""));
@@ -138,7 +139,12 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
                 let fields = meaning(stripped, count, is_inner).filter(|_| stripped.len() < path.len())?;
                 Some((fields, &path[stripped.len()..]))
             };
-            if let Some((fields, index)) = found.or_else(numbered) {
+            // A vector with its w.
+            let with_w = || {
+                let fields = meaning(path, 3, is_inner).filter(is_vector).filter(|_| count == 4)?;
+                matches!(node.values()[3], 0.0 | 1.0).then_some((fields, ""))
+            };
+            if let Some((fields, index)) = found.or_else(numbered).or_else(with_w) {
                 let order = node.children().first().map(|child| child.name.as_str());
                 let fields = match (fields, order) {
                     ([F::Quaternion], Some("w" | "qw")) => &[F::Wxyz],
@@ -146,18 +152,24 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
                     ([F::K], _) if !is_k(&node.values()) => &[F::R],
                     (fields, _) => fields,
                 };
-                return scope.entries.push(entry(fields, index, None, node.numbers()));
+                let (mut numbers, lines) = node.numbers();
+                numbers.truncate(if is_vector(&fields) { 3 } else { numbers.len() });
+                return scope.entries.push(entry(fields, index, None, (numbers, lines)));
             }
             let is_matrix =
-                |word: &words::Word| count == 12 || count == 16 && word.kind != Some(MatrixKind::Intrinsics);
+                |word: &names::Word| count == 12 || count == 16 && word.kind != Some(MatrixKind::Intrinsics);
             // `matrix_world` is Blender's, `matrixWorld` that of three.js.
             let is_blender = shown.contains("matrix_world");
-            let word = if is_blender { words::find(&shown) } else { words::of_name(path) };
+            let word = if is_blender { names::find(&shown) } else { names::of_name(path) };
             let word = word.filter(|word| is_matrix(word) && (!is_inner || node.children().len() == 1));
             if let Some(word) = word {
                 let is_pixels =
                     count == 12 && matches!(word.kind, Some(MatrixKind::Projection | MatrixKind::Intrinsics));
-                let fields: &[Field] = if is_pixels { &[F::Pinhole] } else { &[F::Matrix] };
+                let fields: &[Field] = match word.kind {
+                    _ if is_pixels => &[F::Pinhole],
+                    Some(MatrixKind::Projection) => &[F::Projection],
+                    _ => &[F::Matrix],
+                };
                 let index = &path[path.trim_end_matches(|c: char| c.is_ascii_digit()).len()..];
                 return scope.entries.push(entry(fields, index, Some(word), node.numbers()));
             }
@@ -174,14 +186,14 @@ fn walk(node: &Node, shown: &str, path: &str, scope: &mut Scope) {
             }
             scope.inner.push(inner);
         }
-        Value::Numbers(..) if node.is_shape() => {}
+        Value::Numbers(..) if node.is_shape() => scope.entries.push(entry(&[F::Skip], "", None, node.numbers())),
         _ => scope.entries.push(entry(&[F::Unknown], "", None, node.numbers())),
     }
 }
 
 /// True if a node has names of the table inside.
 fn has_names(node: &Node) -> bool {
-    let is_matrix = |child: &Node| matches!(child.count(), 12 | 16) && words::of_name(&plain(&child.name)).is_some();
+    let is_matrix = |child: &Node| matches!(child.count(), 12 | 16) && names::of_name(&plain(&child.name)).is_some();
     node.children().iter().any(|child| is_known(&plain(&child.name)) || has_names(child) || is_matrix(child))
 }
 
@@ -226,7 +238,15 @@ fn split(scope: Scope, outer: Vec<Entry>, found: &mut Vec<(String, Vec<Entry>)>)
         own.extend(outer);
         let shared = inherited(own);
         for camera in cameras {
+            let (name, at) = (camera.name.clone(), found.len());
             split(camera, shared.clone(), found);
+            // Its name may be a word of the table: left, right, front.
+            if let [(title, entries)] = &mut found[at..]
+                && !name.is_empty()
+                && !entries.iter().any(|entry| entry.fields == [F::Name] && entry.text == *title)
+            {
+                *title = name;
+            }
         }
     } else {
         // One camera in parts, or a list inside.
