@@ -82,6 +82,7 @@ impl App {
             }
         }
         context_help::begin(ctx);
+        self.state.model.frame.asked = self.state.learn.asked(&self.state.model);
         // The panels of this frame set the hover.
         self.state.model.frame.hover = PanelHover::default();
         self.state.model.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
@@ -187,9 +188,13 @@ impl App {
         egui::ScrollArea::vertical().id_salt(("explain", shown)).auto_shrink(false).show(ui, |ui| {
             match shown {
                 Explanation::Exercises => exercises::ui(ui, model, learn),
+                // Nearly each of them prints nearly every number.
+                shown if shown != Explanation::Notes && !model.frame.asked.is_empty() => {
+                    why::asked(ui, model);
+                }
                 _ => why::content(ui, model, explain),
             }
-            if shown == Explanation::Conventions {
+            if shown == Explanation::Conventions && model.frame.asked.is_empty() {
                 let compared = model.settings.conventions.compared;
                 values::list(ui, model, false, compared, |table| table.is_matrix());
             }

@@ -246,12 +246,14 @@ fn ask(
     let unit = section.choice("unit", UNITS);
     let whole = section.is_present("whole").then(|| section.get("whole", &SWITCH).unwrap_or(false));
     let tolerance = section.is_present("tolerance").then(|| section.get("tolerance", &POSITIVE).unwrap_or(1.0));
+    let hidden = section.list("asks", Allowed::Quantity, QuantityPath::of);
     let (choices, own_choices) = choices(&mut section);
     let ask = asked(&mut section, &name, subjects, choices, unit);
     let mistakes = section.sections("mistake", "[[ask.mistake]]");
     faults.extend(section.finish());
     let mut ask = ask?;
     ask.own_choices = own_choices;
+    ask.asks = hidden.into_iter().map(|path| path.quantity).collect();
     ask.unit = unit.unwrap_or(ask.unit);
     ask.whole = whole.unwrap_or(ask.whole);
     if let Some(tolerance) = tolerance {

@@ -1,6 +1,7 @@
 //! The exercises in the window: the list, and the open exercise with its statement, answers, verdicts and solutions.
 
 mod answers;
+mod asked;
 mod figure;
 pub(in crate::gui) mod list;
 mod own;

@@ -117,6 +117,12 @@ pub struct Opened {
 }
 
 impl Opened {
+    /// True if the whole solution is shown.
+    pub fn is_at_end(&self) -> bool {
+        let last = self.steps.checked_sub(1).filter(|last| !self.is_to_do(*last));
+        last.is_some() && self.way.as_ref().is_some_and(|way| self.steps >= way.len())
+    }
+
     /// True for a step that is still to be done.
     pub fn is_to_do(&self, step: usize) -> bool {
         step >= self.given && !self.filled.contains(&step)
