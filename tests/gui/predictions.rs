@@ -93,6 +93,32 @@ fn a_lesson_that_is_opened_again_asks_again() {
     assert_eq!(again.state().learn.exercises.progress.guesses().count(), 1, "the guess stays in the progress");
 }
 
+#[test]
+fn a_right_answer_has_its_reason_too_and_a_guess_its_certainty() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let (mut window, t) = (playing(0, 2, lang), exercise_window::texts(lang));
+        let Some(Task::Question(entry)) = &shipped()[0].lesson.steps[2].task else { panic!("a question") };
+        let exercise = entry.exercise(0, &Default::default());
+        let because = exercise.asks[0].because.clone().unwrap();
+        let reason: String = told(lang, &because).chars().take(20).collect();
+        for press in [exercises::choice_of(lang, &exercise.asks[0], "nothing"), t.unsure, t.sure] {
+            window.harness.get_by_label(press).click();
+            window.run();
+        }
+        window.harness.get_by_label_contains(t.guess).click();
+        window.run();
+        arrive(&mut window);
+        assert!(!window.says(&reason));
+        window.harness.get_by_label(exercises::choice_of(lang, &exercise.asks[0], "nothing")).click();
+        window.run();
+        window.harness.get_by_label_contains(t.check).click();
+        window.run();
+        assert!(window.says(&reason), "{reason}");
+        let (_, guess) = window.state().learn.exercises.progress.guesses().next().unwrap();
+        assert_eq!((guess.sure, guess.right), (Some(true), true));
+    }
+}
+
 /// The place of a point with C, PF, VUP and θ, by the construction of the notes.
 fn projected(point: DVec3, [c, pf, vup]: [DVec3; 3], theta: f64, [m, n]: [f64; 2]) -> [f64; 2] {
     let axis = (c - pf).normalize();

@@ -260,6 +260,19 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
 
 /// Always to guess the same place gives a third of the points.
 #[test]
+fn every_question_with_choices_has_the_reason_of_its_right_answer() {
+    for shipped in shipped() {
+        for (k, step) in shipped.lesson.steps.iter().enumerate() {
+            let Some(Task::Question(entry)) = &step.task else { continue };
+            for ask in entry.exercise(0, &Default::default()).asks {
+                let has_reason = ask.because.as_ref().is_some_and(|because| because.iter().count() == 2);
+                assert!(has_reason || !matches!(ask.kind, Kind::Choice(_)), "{} {}", shipped.lesson.id, k + 1);
+            }
+        }
+    }
+}
+
+#[test]
 fn right_answers_have_no_favourite_place_among_three() {
     let mut places = [0_usize; 3];
     for step in shipped().iter().flat_map(|shipped| &shipped.lesson.steps) {

@@ -150,6 +150,8 @@ pub struct Ask {
     pub readings: Vec<Reading>,
     /// The texts of a lecturer's choices, by their names.
     pub own_choices: BTreeMap<String, Localized>,
+    /// The sentence on the right answer, once it's given.
+    pub because: Option<Localized>,
     /// Wrong answers that a lecturer expects.
     pub own_mistakes: Vec<Arc<OwnMistake>>,
     /// The ways to the answer from other answers.
@@ -311,6 +313,7 @@ impl Ask {
             asks: Vec::new(),
             readings: vec![Reading { name: "", expected }],
             own_choices: BTreeMap::new(),
+            because: None,
             own_mistakes: Vec::new(),
             follows: Vec::new(),
             way: None,

@@ -34,6 +34,7 @@ impl Entry {
         }
         for ask in &mut exercise.asks {
             ask.own_choices.values_mut().try_for_each(&mut change)?;
+            ask.because.iter_mut().try_for_each(&mut change)?;
             for mistake in &mut ask.own_mistakes {
                 let mistake = Arc::make_mut(mistake);
                 change(&mut mistake.message)?;
@@ -247,12 +248,13 @@ fn ask(
     let whole = section.is_present("whole").then(|| section.get("whole", &SWITCH).unwrap_or(false));
     let tolerance = section.is_present("tolerance").then(|| section.get("tolerance", &POSITIVE).unwrap_or(1.0));
     let hidden = section.list("asks", Allowed::Quantity, QuantityPath::of);
+    let because = section.told("because").and_then(|texts| harmless(&mut section, "because", texts));
     let (choices, own_choices) = choices(&mut section);
     let ask = asked(&mut section, &name, subjects, choices, unit);
     let mistakes = section.sections("mistake", "[[ask.mistake]]");
     faults.extend(section.finish());
     let mut ask = ask?;
-    ask.own_choices = own_choices;
+    (ask.own_choices, ask.because) = (own_choices, because);
     ask.asks = hidden.into_iter().map(|path| path.quantity).collect();
     ask.unit = unit.unwrap_or(ask.unit);
     ask.whole = whole.unwrap_or(ask.whole);

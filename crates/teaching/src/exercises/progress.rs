@@ -13,6 +13,7 @@ use super::judge::Judged;
 use super::{Entry, Free};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::slip::{Cause, Slip, Slips};
+use crate::lessons;
 
 /// The progress in all exercises. It has a text form, which is a file that the student can read and delete.
 #[derive(Clone, Debug, Default)]
@@ -60,6 +61,8 @@ pub struct Guess {
     pub said: String,
     /// It was right.
     pub right: bool,
+    /// The student was sure of it; `None` if they didn't say.
+    pub sure: Option<bool>,
     /// When it was made, in seconds since the beginning of 1970.
     pub at: u64,
 }
@@ -111,6 +114,8 @@ pub struct Next {
 /// The reason why an exercise is next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Why {
+    /// It practises a question of a lesson, to which a guess was wrong though the student was sure.
+    Sure,
     /// It practises this mistake, which was made this many times, and more often than other open ones.
     Mistake(Mistake, u32),
     /// It was begun last, and isn't solved.
@@ -255,13 +260,17 @@ impl Progress {
         }
     }
 
-    /// The next of these to practise. The first choice is a family that reveals the open mistake made most often.
+    /// The next of these to practise. A mistake that the student was sure of comes first, with the family that the
+    /// lesson comes to next. The next choice is a family that reveals the open mistake made most often.
     /// Otherwise it's the exercise begun last, or else the family that's most overdue to come back, or the first
     /// unsolved one in the order of `entries`, or the one tried least recently before `now`. A later time comes from a
     /// clock that ran ahead. Its true time is unknown, so it comes before the known ones. `None` if there are no
     /// entries.
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();
+        if let Some(entry) = self.sure_and_wrong(&entries) {
+            return Some(self.next(entry, Why::Sure));
+        }
         let mut open: Vec<(Mistake, &Made)> =
             self.mistakes().filter(|(mistake, made)| made.is_open && mistake.is_misconception()).collect();
         open.sort_by_key(|(mistake, made)| (std::cmp::Reverse((made.times, made.last)), *mistake));
@@ -291,6 +300,19 @@ impl Progress {
         }
         let last = |entry: &&&Entry| self.tried(&entry.id).and_then(|tried| tried.last).filter(|last| *last <= now);
         entries.iter().min_by_key(last).map(|entry| self.next(entry, Why::LongestAgo))
+    }
+
+    /// The family that comes after the last question of a lesson to which a guess was wrong though the student was
+    /// sure, unless it has been solved since.
+    fn sure_and_wrong<'a>(&self, entries: &[&'a Entry]) -> Option<&'a Entry> {
+        let mut wrong: Vec<(&str, &Guess)> =
+            self.guesses().filter(|(_, guess)| guess.sure == Some(true) && !guess.right).collect();
+        wrong.sort_by_key(|(_, guess)| std::cmp::Reverse(guess.at));
+        wrong.into_iter().find_map(|(question, guess)| {
+            let family = lessons::family_after(question)?;
+            let is_solved = self.tried(family).and_then(|tried| tried.solved_at).is_some_and(|at| at > guess.at);
+            entries.iter().find(|entry| entry.id == family && !is_solved).copied()
+        })
     }
 
     /// Seconds since the time at which a solved exercise comes back, and days since it was solved; `None` before that

@@ -5,7 +5,7 @@ use eframe::egui::{self, Align2, Key, Margin, RichText, ScrollArea, Stroke, Stro
 use super::{Sheet, check};
 use crate::exercises::{self, Answer, Ask, Kind, Unit, read_answer};
 use crate::expression::{Dimension, evaluate_with};
-use crate::gui::kit::{Explained, TextField, complaint, mathematics, prose, text_field, theme};
+use crate::gui::kit::{Explained, TextField, complaint, mathematics, prose, text_field, theme, toggle};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{is_whole, joined};
 use crate::limits::MAX_ANSWER;
@@ -88,8 +88,18 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     let can = matches!(reading, Ok(Some(_)));
     let is_guess = guesses && guess.is_none();
     let [label, hint] = if is_guess { [t.guess, t.guess_hint] } else { [t.check, t.check_hint] };
-    let button = ui.add_enabled(can, egui::Button::new(label)).explained(hint);
-    let button = button.explained_disabled(hint).accessible_name(words::of_ask(label, &name));
+    let button = ui.horizontal_wrapped(|ui| {
+        let button = ui.add_enabled(can, egui::Button::new(label)).explained(hint);
+        let button = button.explained_disabled(hint).accessible_name(words::of_ask(label, &name));
+        for (is_sure, label) in [(true, t.sure), (false, t.unsure)].into_iter().filter(|_| is_guess) {
+            let is_chosen = learn.exercises.sure == Some(is_sure);
+            if toggle(ui, is_chosen, label).explained(t.sure_hint).clicked() {
+                learn.exercises.sure = Some(is_sure).filter(|_| !is_chosen);
+            }
+        }
+        button
+    });
+    let button = button.inner;
     typing.in_focus |= button.has_focus();
     if button.clicked() || (can && typing.is_done) {
         if is_guess {

@@ -195,6 +195,8 @@ pub struct Exercises {
     pub own: Option<Arc<OwnFolder>>,
     /// The questions of the lesson being played, which are in no list.
     pub(in crate::gui) of_lesson: Vec<Entry>,
+    /// True if the user is sure of the guess to be made, false if not. `None` until they say so.
+    pub sure: Option<bool>,
     /// The reason why this exercise was chosen for practice next.
     pub(in crate::gui) why: Option<(Chosen, Why)>,
     /// The exercise as last built.
@@ -287,7 +289,7 @@ impl Exercises {
         self.made = None;
         self.checked.clear();
         self.opened.clear();
-        self.described = None;
+        (self.described, self.sure) = (None, None);
         self.wants_focus = None;
         self.just_opened = true;
     }
@@ -416,7 +418,7 @@ impl Exercises {
         let (fields, Some(open)) = (self.fields(ask).to_vec(), self.open.clone()) else { return };
         let said = joined(ask, &fields);
         self.typed_now().guesses.insert(ask.name.clone(), fields);
-        let done = Done::Guessed(open.id, Guess { said, right, at: now });
+        let done = Done::Guessed(open.id, Guess { said, right, sure: self.sure.take(), at: now });
         done.note(&mut self.progress);
         self.unwritten.push(done);
     }

@@ -10,6 +10,7 @@ use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{Way, lesson_of};
 use camera_lab_desk::Model;
 use camera_lab_words::learn::{exercise_messages as messages, exercises as said};
+use camera_lab_words::told;
 
 /// Shows the verdict on an answer, and the help. A verdict `just_said` is scrolled into sight.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
@@ -61,6 +62,9 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
             }
             if let Some(why) = why_guess_was_wrong(learn, sheet, ask).filter(|_| judged.right) {
                 prose::show(ui, &why);
+            }
+            if let Some(because) = ask.because.as_ref().filter(|_| judged.right) {
+                prose::show(ui, told(t.lang, because));
             }
         });
         hints = messages::hints(t.lang, exercise, ask, judged);

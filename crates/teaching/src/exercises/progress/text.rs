@@ -197,6 +197,7 @@ impl Guess {
         Ok(Self {
             said: known(table, "said", text)?.unwrap_or_default(),
             right: known(table, "right", Item::as_bool)?.unwrap_or_default(),
+            sure: known(table, "sure", Item::as_bool)?,
             at: known(table, "at", long)?.unwrap_or_default(),
         })
     }
@@ -204,6 +205,7 @@ impl Guess {
     fn write(&self, table: &mut dyn TableLike) {
         set(table, "said", Some(value(&self.said)));
         set(table, "right", Some(value(self.right)));
+        set(table, "sure", self.sure.map(value));
         set(table, "at", Some(long_item(self.at)));
     }
 }
