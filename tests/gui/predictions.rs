@@ -7,6 +7,7 @@ use camera_lab::lessons::{Task, shipped};
 use camera_lab::views::View;
 use camera_lab_words::learn::{exercise_window, exercises};
 use camera_lab_words::{Lang, told};
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, pos2};
 use egui_kittest::kittest::Queryable as _;
 use glam::{DVec2, DVec3};
@@ -109,7 +110,8 @@ fn a_right_answer_has_its_reason_too_and_a_guess_its_certainty() {
         window.run();
         arrive(&mut window);
         assert!(!window.says(&reason));
-        window.harness.get_by_label(exercises::choice_of(lang, &exercise.asks[0], "nothing")).click();
+        let nothing = exercises::choice_of(lang, &exercise.asks[0], "nothing");
+        window.harness.get_by_role_and_label(Role::RadioButton, nothing).click();
         window.run();
         window.harness.get_by_label_contains(t.check).click();
         window.run();

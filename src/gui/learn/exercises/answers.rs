@@ -80,11 +80,6 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     if let Some(first) = &typing.first {
         learn.exercises.give_focus(&ask.name, first);
     }
-    in_kept_room(ui, ask, |ui| match &reading {
-        Err(unreadable) => complaint(ui, &unreadable.why),
-        Ok(Some(answer)) if !ask.places => show_understood(ui, t.lang, ask, answer),
-        Ok(_) => {}
-    });
     let can = matches!(reading, Ok(Some(_)));
     let is_guess = guesses && guess.is_none();
     let [label, hint] = if is_guess { [t.guess, t.guess_hint] } else { [t.check, t.check_hint] };
@@ -100,6 +95,11 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
         button
     });
     let button = button.inner;
+    in_kept_room(ui, ask, |ui| match &reading {
+        Err(unreadable) => complaint(ui, &unreadable.why),
+        Ok(Some(answer)) if !ask.places => show_understood(ui, t.lang, ask, answer),
+        Ok(_) => {}
+    });
     typing.in_focus |= button.has_focus();
     if button.clicked() || (can && typing.is_done) {
         if is_guess {
@@ -162,14 +162,13 @@ const ROW_OF_TABLE: f32 = 1.55;
 fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     let id = ui.scope_id().with("room for what is said");
     let line = ui.text_style_height(&TextStyle::Body);
-    let [rows, _] = ask.shape();
-    #[expect(clippy::cast_precision_loss, reason = "a few rows")]
     let least = match ask.kind {
         Kind::Choice(_) | Kind::Camera => 0.0,
         // The cross in the picture shows it.
         _ if ask.places => 0.0,
-        // Before the first key there is room for the interpretation.
-        Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => ROW_OF_TABLE * line * rows as f32,
+        // Before the first key there is room for the interpretation, but not for several rows.
+        Kind::Number => ROW_OF_TABLE * line,
+        Kind::Vector(_) | Kind::Matrix(..) => 0.0,
     };
     let kept = ui.data(|data| data.get_temp(id)).unwrap_or(least);
     let needed = ui.scope(say).response.rect.height();

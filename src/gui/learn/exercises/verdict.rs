@@ -88,7 +88,10 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     }
     if just_said {
         let said = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), newest..=ui.min_rect().bottom());
-        let too_high = said.height() > ui.clip_rect().height();
+        let room = ui.clip_rect().height();
+        // With the question above it, if both fit.
+        let said = if ui.min_rect().height() <= room { ui.min_rect() } else { said };
+        let too_high = said.height() > room;
         ui.scroll_to_rect(said, too_high.then_some(egui::Align::TOP));
     }
 }
