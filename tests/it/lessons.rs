@@ -260,6 +260,22 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
 
 /// Always to guess the same place gives a third of the points.
 #[test]
+fn every_mark_has_reasons_for_wrong_places_and_a_second_place() {
+    for shipped in shipped() {
+        for (k, step) in shipped.lesson.steps.iter().enumerate() {
+            let Some(Task::Question(entry)) = &step.task else { continue };
+            for ask in entry.exercise(0, &Default::default()).asks.iter().filter(|ask| ask.places) {
+                let place = |ask: &exercises::Ask| ask.expected().table().unwrap().entries;
+                let (first, second) = (place(ask), place(ask.second.as_deref().unwrap()));
+                let apart = (first[0] - second[0]).hypot(first[1] - second[1]);
+                let name = format!("{} {}", shipped.lesson.id, k + 1);
+                assert!(!ask.own_mistakes.is_empty() && apart > 1.5 * ask.tolerance, "{name}: {apart}");
+            }
+        }
+    }
+}
+
+#[test]
 fn every_question_with_choices_has_the_reason_of_its_right_answer() {
     for shipped in shipped() {
         for (k, step) in shipped.lesson.steps.iter().enumerate() {

@@ -137,6 +137,8 @@ pub struct Ask {
     pub whole: bool,
     /// A place in the image: two numbers, pixels from its left edge and from its upper one.
     pub places: bool,
+    /// After a wrong first mark, a second place to mark, whose name is [`SECOND`](super::SECOND).
+    pub second: Option<Box<Self>>,
     /// Columns are points, in any order.
     pub any_order: bool,
     /// Slips in steps that the question doesn't contain, because it gives their result or needs none.
@@ -307,6 +309,7 @@ impl Ask {
             share: TOLERANCE,
             whole: false,
             places: false,
+            second: None,
             any_order: false,
             not_asked: |_| false,
             quantity: None,

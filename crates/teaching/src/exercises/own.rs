@@ -8,7 +8,7 @@ use super::own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
 use super::statement_facts::about;
 use super::subject::Subject;
 use super::value::Table;
-use super::{Entry, Make, place};
+use super::{Entry, Make, SECOND, place};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::slip::Slip;
 use crate::figure::error::{Allowed, Problem};
@@ -251,10 +251,17 @@ fn ask(
     let because = section.told("because").and_then(|texts| harmless(&mut section, "because", texts));
     let (choices, own_choices) = choices(&mut section);
     let ask = asked(&mut section, &name, subjects, choices, unit);
+    let mut second = None;
+    if ask.as_ref().is_some_and(|ask| ask.places) && section.is_present(SECOND) {
+        let mut section = section.section(SECOND, "second.");
+        texts.asks.insert(SECOND.to_owned(), told(&mut section, "text"));
+        second = place::asked(&mut section, SECOND, subjects[0], subjects[1]).map(Box::new);
+        faults.extend(section.finish());
+    }
     let mistakes = section.sections("mistake", "[[ask.mistake]]");
     faults.extend(section.finish());
     let mut ask = ask?;
-    (ask.own_choices, ask.because) = (own_choices, because);
+    (ask.own_choices, ask.because, ask.second) = (own_choices, because, second);
     ask.asks = hidden.into_iter().map(|path| path.quantity).collect();
     ask.unit = unit.unwrap_or(ask.unit);
     ask.whole = whole.unwrap_or(ask.whole);

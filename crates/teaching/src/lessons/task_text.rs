@@ -279,6 +279,7 @@ const SEE: &str = "see";
 const PLACE: &str = "place";
 const ASKS: &str = "asks";
 const BECAUSE: &str = "because";
+const SECOND: &str = crate::exercises::SECOND;
 
 /// A question or an exercise; `None` if it has more than the fields.
 fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
@@ -287,10 +288,11 @@ fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
         let [exercise, seed] = ["exercise", "seed"].map(|key| typed(ask.get(key)));
         return Some(TaskText { kind: TaskKind::Exercise, exercise, seed, ..TaskText::default() });
     }
-    only(ask, &["text", "answer", "quantity", "choices", "tolerance", "mistake", SEE, PLACE, ASKS, BECAUSE])?;
+    only(ask, &["text", "answer", "quantity", "choices", "tolerance", "mistake", SEE, PLACE, ASKS, BECAUSE, SECOND])?;
     let mut task = TaskText { kind: TaskKind::Number, text: told(ask.get("text"))?, ..TaskText::default() };
     let kept = |of: &dyn TableLike| -> Vec<(String, String)> {
-        let kept = [SEE, PLACE, ASKS, BECAUSE].into_iter().filter_map(|key| Some((key, of.get(key)?.as_value()?)));
+        let kept =
+            [SEE, PLACE, ASKS, BECAUSE, SECOND].into_iter().filter_map(|key| Some((key, of.get(key)?.as_value()?)));
         kept.map(|(key, value)| (key.to_owned(), value.to_string().trim().to_owned())).collect()
     };
     task.kept = kept(ask);

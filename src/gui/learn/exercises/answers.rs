@@ -105,7 +105,11 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
         if is_guess {
             take_guess(model, learn, sheet, ask);
         } else {
+            let is_first = !learn.exercises.checked.contains_key(&ask.name);
             check(learn, sheet, ask);
+            if is_first && ask.name == exercises::SECOND {
+                learn.show_seen(model);
+            }
         }
     }
     typing.in_focus
@@ -134,6 +138,10 @@ fn take_guess(model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask)
     let text = joined(ask, learn.exercises.fields(ask));
     let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &text) else { return };
     learn.exercises.guess(ask, judged.right, crate::clock::seconds_since_1970());
+    // The image that answers comes after the second place.
+    if !judged.right && ask.second.is_some() {
+        return check(learn, sheet, ask);
+    }
     let shows = learn.show_seen(model);
     if shows && !ask.places {
         let fields = vec![String::new(); learn.exercises.fields(ask).len()];

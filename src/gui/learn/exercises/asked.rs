@@ -37,7 +37,7 @@ impl Learn {
         let statement = statement.join("\n");
         let shows = playing.is_some_and(|playing| playing.lesson.seen_after(playing.step).is_some());
         for ask in &exercise.asks {
-            let is_right = self.exercises.checked.get(&ask.name).is_some_and(|checked| checked.judged.right);
+            let is_right = self.exercises.is_right(ask);
             let is_given_up = self.exercises.opened.get(&ask.name).is_some_and(|opened| opened.is_at_end());
             // After the guess, the picture that answers is there to be read.
             let is_seen = is_of_step && shows && !ask.places && self.exercises.guess_at(ask).is_some();

@@ -70,7 +70,7 @@ impl Canvas {
                 painter.line_segment(ends, Stroke::new(1.5, mine));
                 gap = Some((ends[0].lerp(ends[1], 0.5), DVec2::from_array(guess).distance(DVec2::from_array(place))));
             }
-            let rings = [(placing.guess, mine), (placing.right, right)];
+            let rings = [(placing.guess, mine), (placing.right, right), (placing.second, right)];
             for (at, color) in rings.into_iter().filter_map(|(at, color)| Some((at?, color))) {
                 let at = on_screen(at);
                 painter.circle_stroke(at, RING, Stroke::new(4.0, dark));

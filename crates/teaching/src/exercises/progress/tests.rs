@@ -182,14 +182,14 @@ fn the_next_exercise_is_chosen_for_a_reason() {
 
 #[test]
 fn a_mistake_of_which_one_was_sure_comes_first_until_it_is_practised() {
-    let lesson = &crate::lessons::shipped()[1].lesson;
+    let lesson = &lessons::shipped()[1].lesson;
     let question = lesson.steps.iter().find_map(|step| match &step.task {
-        Some(crate::lessons::Task::Question(entry)) => Some(entry.id.clone()),
+        Some(lessons::Task::Question(entry)) => Some(entry.id.clone()),
         _ => None,
     });
     let question = question.unwrap();
-    let family = crate::lessons::family_after(&question).unwrap();
-    assert!(crate::lessons::families_of(lesson).contains(&family));
+    let family = lessons::family_after(&question).unwrap();
+    assert!(lessons::families_of(lesson).contains(&family));
     let guessed = |right, sure| {
         let mut progress = Progress::default();
         progress.guessed(&question, Guess { said: "u".to_owned(), right, sure, at: 5 });
