@@ -13,7 +13,6 @@ use super::judge::Judged;
 use super::{Entry, Free};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::slip::{Cause, Slip, Slips};
-use crate::lessons;
 
 /// The progress in all exercises. It has a text form, which is a file that the student can read and delete.
 #[derive(Clone, Debug, Default)]
@@ -260,17 +259,13 @@ impl Progress {
         }
     }
 
-    /// The next of these to practise. A mistake that the student was sure of comes first, with the family that the
-    /// lesson comes to next. The next choice is a family that reveals the open mistake made most often.
+    /// The next of these to practise. The first choice is a family that reveals the open mistake made most often.
     /// Otherwise it's the exercise begun last, or else the family that's most overdue to come back, or the first
     /// unsolved one in the order of `entries`, or the one tried least recently before `now`. A later time comes from a
     /// clock that ran ahead. Its true time is unknown, so it comes before the known ones. `None` if there are no
     /// entries.
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();
-        if let Some(entry) = self.sure_and_wrong(&entries) {
-            return Some(self.next(entry, Why::Sure));
-        }
         let mut open: Vec<(Mistake, &Made)> =
             self.mistakes().filter(|(mistake, made)| made.is_open && mistake.is_misconception()).collect();
         open.sort_by_key(|(mistake, made)| (std::cmp::Reverse((made.times, made.last)), *mistake));
@@ -302,17 +297,32 @@ impl Progress {
         entries.iter().min_by_key(last).map(|entry| self.next(entry, Why::LongestAgo))
     }
 
-    /// The family that comes after the last question of a lesson to which a guess was wrong though the student was
-    /// sure, unless it has been solved since.
-    fn sure_and_wrong<'a>(&self, entries: &[&'a Entry]) -> Option<&'a Entry> {
+    /// The family that practises the last guess that was wrong though the student was sure, unless it has been solved
+    /// since. `family` gives the family that comes after a question of a lesson.
+    fn sure_and_wrong<'a>(&self, entries: &[&'a Entry], family: fn(&str) -> Option<&'static str>) -> Option<&'a Entry> {
         let mut wrong: Vec<(&str, &Guess)> =
             self.guesses().filter(|(_, guess)| guess.sure == Some(true) && !guess.right).collect();
         wrong.sort_by_key(|(_, guess)| std::cmp::Reverse(guess.at));
         wrong.into_iter().find_map(|(question, guess)| {
-            let family = lessons::family_after(question)?;
+            let family = family(question)?;
             let is_solved = self.tried(family).and_then(|tried| tried.solved_at).is_some_and(|at| at > guess.at);
             entries.iter().find(|entry| entry.id == family && !is_solved).copied()
         })
+    }
+
+    /// As [`practise_next`](Self::practise_next), but a mistake that the student was sure of comes first. `family` gives
+    /// the family that comes after a question of a lesson.
+    pub fn practise_after<'a>(
+        &self,
+        entries: impl IntoIterator<Item = &'a Entry>,
+        now: u64,
+        family: fn(&str) -> Option<&'static str>,
+    ) -> Option<Next> {
+        let entries: Vec<&Entry> = entries.into_iter().collect();
+        match self.sure_and_wrong(&entries, family) {
+            Some(entry) => Some(self.next(entry, Why::Sure)),
+            None => self.practise_next(entries, now),
+        }
     }
 
     /// Seconds since the time at which a solved exercise comes back, and days since it was solved; `None` before that

@@ -509,7 +509,7 @@ impl Exercises {
     }
 
     fn next_of(&self, entries: &[&Entry], now: u64) -> Option<(Chosen, Why)> {
-        let next = self.progress.practise_next(entries.iter().copied(), now)?;
+        let next = self.progress.practise_after(entries.iter().copied(), now, crate::lessons::family_after)?;
         // An exercise with typed but unjudged answers is continued.
         let begun = entries.iter().find(|entry| entry.id == next.id && self.progress.tried(&next.id).is_none());
         let seed = begun.map_or(next.seed, |entry| self.seed_of(entry));
