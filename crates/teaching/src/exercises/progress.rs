@@ -317,8 +317,8 @@ impl Progress {
         })
     }
 
-    /// As [`practise_next`](Self::practise_next), but a mistake that the student was sure of comes first. `family` gives
-    /// the family that comes after a question of a lesson.
+    /// As [`practise_next`](Self::practise_next), but a mistake that the student was sure of comes first. `family`
+    /// gives the family that comes after a question of a lesson.
     pub fn practise_after<'a>(
         &self,
         entries: impl IntoIterator<Item = &'a Entry>,
