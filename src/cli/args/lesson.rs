@@ -11,7 +11,7 @@ use crate::export::format::PictureFormat;
 use crate::figure::words::Words;
 use crate::views::Views;
 use camera_lab_words::Lang;
-use camera_lab_words::learn::lessons as texts;
+use camera_lab_words::learn::{exercise_messages as said, lessons as texts};
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct LessonArgs {
@@ -32,6 +32,8 @@ pub(in crate::cli) enum LessonCommand {
     Render(LessonRenderArgs),
     /// Open the window with a lesson
     Play(PlayArgs),
+    /// Pack a lesson for a course platform, as a zip of SCORM 1.2
+    Package(PackageArgs),
 }
 
 /// Which lesson.
@@ -116,6 +118,35 @@ impl LessonRenderArgs {
         let of_handouts = [("--per-page", self.per_page.is_some()), ("--answers", self.answers), ("--plan", self.plan)];
         let unused: &[(&'static str, bool)] = if is_handout { &of_pictures } else { &of_handouts };
         unused.iter().find(|(_, is_given)| *is_given).map(|(option, _)| *option)
+    }
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct PackageArgs {
+    #[command(flatten)]
+    pub(in crate::cli) which: WhichArgs,
+    #[command(flatten)]
+    pub(in crate::cli) packed: PackedArgs,
+}
+
+/// What a package for a course platform needs besides its lesson.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct PackedArgs {
+    /// The page in one file, camera-lab.html, of this version
+    #[arg(long, value_name = "PAGE.html")]
+    pub(in crate::cli) page: PathBuf,
+    /// Percentage of the questions, right at the first try, with which it's passed: 0 to 100
+    #[arg(long, value_name = "PERCENT", default_value = "50", allow_hyphen_values = true)]
+    pass: String,
+    /// File to write: .zip
+    #[arg(short, long, value_name = "OUT.zip")]
+    pub(in crate::cli) output: PathBuf,
+}
+
+impl PackedArgs {
+    pub(in crate::cli) fn pass(&self, lang: Lang) -> Result<f64, Failure> {
+        let pass = self.pass.trim().trim_end_matches('%').parse().ok().filter(|pass| (0.0..=100.0).contains(pass));
+        pass.ok_or_else(|| Failure::BadInput(said::pass(lang, &self.pass)))
     }
 }
 
