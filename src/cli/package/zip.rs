@@ -47,7 +47,7 @@ fn checksum(bytes: &[u8]) -> u32 {
     for (value, entry) in (0..).zip(&mut table) {
         *entry = (0..8).fold(value, |crc: u32, _| if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 });
     }
-    !bytes.iter().fold(!0, |crc: u32, byte| crc >> 8 ^ table[usize::from(crc as u8 ^ byte)])
+    !bytes.iter().fold(!0, |crc: u32, byte| crc >> 8 ^ table[usize::from(crc.to_le_bytes()[0] ^ byte)])
 }
 
 #[cfg(test)]
