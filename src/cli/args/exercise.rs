@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
-use super::lesson::PackedArgs;
+use super::package::PackedArgs;
 use super::words::{DataFormat, LangArg, TableFormat};
 use crate::cli::Failure;
 use crate::exercises::Free;

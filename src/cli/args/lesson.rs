@@ -5,13 +5,14 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 
 use super::exercise::ListArgs;
+use super::package::PackedArgs;
 use super::words::{LangArg, TableFormat, one_of, word_of};
 use crate::cli::Failure;
 use crate::export::format::PictureFormat;
 use crate::figure::words::Words;
 use crate::views::Views;
 use camera_lab_words::Lang;
-use camera_lab_words::learn::{exercise_messages as said, lessons as texts};
+use camera_lab_words::learn::lessons as texts;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct LessonArgs {
@@ -127,27 +128,6 @@ pub(in crate::cli) struct PackageArgs {
     pub(in crate::cli) which: WhichArgs,
     #[command(flatten)]
     pub(in crate::cli) packed: PackedArgs,
-}
-
-/// What a package for a course platform needs besides its lesson.
-#[derive(Debug, Args)]
-pub(in crate::cli) struct PackedArgs {
-    /// The page in one file, camera-lab.html, of this version
-    #[arg(long, value_name = "PAGE.html")]
-    pub(in crate::cli) page: PathBuf,
-    /// Percentage of the questions, right at the first try, with which it's passed: 0 to 100
-    #[arg(long, value_name = "PERCENT", default_value = "50", allow_hyphen_values = true)]
-    pass: String,
-    /// File to write: .zip
-    #[arg(short, long, value_name = "OUT.zip")]
-    pub(in crate::cli) output: PathBuf,
-}
-
-impl PackedArgs {
-    pub(in crate::cli) fn pass(&self, lang: Lang) -> Result<f64, Failure> {
-        let pass = self.pass.trim().trim_end_matches('%').parse().ok().filter(|pass| (0.0..=100.0).contains(pass));
-        pass.ok_or_else(|| Failure::BadInput(said::pass(lang, &self.pass)))
-    }
 }
 
 #[derive(Debug, Args)]

@@ -11,7 +11,7 @@ use serde_json::json;
 
 use super::Failure;
 use super::render::save;
-use crate::cli::args::lesson::PackedArgs;
+use crate::cli::args::package::PackedArgs;
 use crate::exercises::Exercise;
 use crate::lessons::{Lesson, Task};
 use crate::sanitize;
