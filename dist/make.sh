@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes what people without Rust can use:  bash dist/make.sh windows|web|deb|tar|macos|all OUT
 #   windows  camera-lab.exe, and camera-lab.com for consoles
-#   web      index.html with its files, and camera-lab.html, one file that opens from disk
+#   web      index.html with its files, lessons.html, and camera-lab.html, one file that opens from disk
 #   deb      a package for Debian and its kin
 #   tar      the program for Linux, with its manual, icon and completions
 #   macos    Camera Lab.app (on a Mac)
@@ -59,6 +59,9 @@ make_web() (
     bindings
     python3 dist/web/assemble.py "$page" "$out"
     cp THIRD-PARTY.md "$out"
+    # Its pictures need the program for this machine, which need not be fast.
+    CARGO_ENCODED_RUSTFLAGS='' cargo build --locked --package camera-lab --bin camera-lab
+    python3 dist/web/lessons.py "$CARGO_TARGET_DIR/debug/camera-lab" "$out"
 )
 
 # Writes the JavaScript between the program and the browser, by a package of our own.
@@ -121,7 +124,7 @@ make_all() {
     make_web
     make_tar
     make_deb
-    (cd "$out" && sha256sum THIRD-PARTY.md camera-lab.exe camera-lab.com index.html unpack.js unpack_bg.wasm camera-lab.js camera-lab.wasm.lzma \
+    (cd "$out" && sha256sum THIRD-PARTY.md camera-lab.exe camera-lab.com index.html unpack.js unpack_bg.wasm camera-lab.js camera-lab-element.js lessons.html camera-lab.wasm.lzma \
         camera-lab.html "camera-lab-$version-$(uname -m)-linux.tar.gz" camera-lab_*.deb >SHA256SUMS)
 }
 

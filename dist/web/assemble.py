@@ -13,6 +13,9 @@ import sys
 # The most that people download.
 MOST_BYTES = 3_200_000
 
+# As `camera-lab lesson package` looks for it.
+VERSION = re.search(r'^version = "(.*)"', (pathlib.Path(__file__).parents[2] / "Cargo.toml").read_text(encoding="utf-8"), re.M)[1]
+
 # Loaded from the server that the page is on, and from nowhere else.
 SERVED_POLICY = (
     "default-src 'none'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; connect-src 'self'; "
@@ -76,7 +79,7 @@ async function cameraLabStart(unpack, packed) {
 def page(policy: str, program: str) -> str:
     template = (pathlib.Path(__file__).parent / "index.html").read_text(encoding="utf-8")
     assert template.count("@POLICY@") == 1 and template.count("@PROGRAM@") == 1
-    return template.replace("@POLICY@", policy).replace("@PROGRAM@", program)
+    return template.replace("@VERSION@", VERSION).replace("@POLICY@", policy).replace("@PROGRAM@", program)
 
 
 def packed(program: bytes) -> bytes:
@@ -112,6 +115,11 @@ def main(made: pathlib.Path, out: pathlib.Path) -> None:
         .replace("@PACKED@", base64_of(program))
         .replace("@THIRD_PARTY@", third_party),
     )
+    # Of pages that show this one, which have room to themselves.
+    element = (pathlib.Path(__file__).parent / "camera-lab-element.js").read_bytes()
+    if len(element) > 8000:
+        sys.exit(f"camera-lab-element.js: {len(element)} bytes, more than 8000")
+    (out / "camera-lab-element.js").write_bytes(element)
     total = 0
     for name, data in files.items():
         (out / name).write_bytes(data)

@@ -10,15 +10,15 @@ use serde_json::{Map, Value, json};
 use super::render::{no_picture, save, save_handout};
 use super::{Failure, nearest, print, say};
 use crate::cli::args::exercise::{
-    CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, ReportArgs, SheetArgs, ShowArgs,
+    CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, PackageArgs, ReportArgs, SheetArgs, ShowArgs,
 };
 use crate::cli::args::words::{DataFormat, TableFormat, written};
 use crate::exercises::{self, Answer, AnswerError, Ask, Cause, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
-use crate::figure::Figure;
 use crate::figure::write::to_toml;
+use crate::figure::{Figure, FigureError, Localized};
 use crate::inspect::json_text;
-use crate::lessons::lesson_of;
+use crate::lessons::{Draft, lesson_of, parse_bytes, with_step};
 use crate::picture::{self, Composite, FileOptions, Metadata};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
@@ -43,6 +43,7 @@ pub(super) fn run(args: &ExerciseArgs, lang: Lang) -> Result<(), Failure> {
         ExerciseCommand::Show(args) => show(args, lang),
         ExerciseCommand::Check(args) => check(args, lang),
         ExerciseCommand::Sheet(args) => sheet(args, lang),
+        ExerciseCommand::Package(args) => package(args, lang),
         ExerciseCommand::Report(args) => report(args, lang),
     }
 }
@@ -463,6 +464,36 @@ fn write_sheet(
         }
     }
     save(output, text.as_bytes(), None, lang)
+}
+
+/// Packs exercises as a lesson with a step for each.
+fn package(args: &PackageArgs, lang: Lang) -> Result<(), Failure> {
+    let (seed, written) = (args.seed(lang)?, written(args.lang));
+    let in_both = |text: &dyn Fn(Lang) -> String| {
+        let mut both = Localized::default();
+        Lang::ALL.into_iter().for_each(|lang| *camera_lab_words::told_mut(lang, &mut both) = text(lang));
+        both
+    };
+    let title = in_both(&|lang| said::texts(lang).exercises.to_owned());
+    let (mut text, mut made) = (String::new(), None);
+    for id in &args.ids {
+        let id = id.trim();
+        let entry = exercises::entry(id).ok_or_else(|| {
+            let all = exercises::entries().map(|entry| &*entry.id);
+            Failure::BadInput(said::unknown_exercise(lang, id, nearest(all, id)))
+        })?;
+        let exercise = entry.exercise(seed, &Default::default());
+        let title_of = in_both(&|lang| texts::exercise_title(lang, &exercise).to_owned());
+        let draft = Draft { lesson: title.clone(), title: title_of };
+        let step = with_step(&text, &format!("exercises-{seed}"), &draft, &exercise.subject.figure);
+        let bad = |error: &FigureError| Failure::BadInput(messages::figure(lang, error));
+        text = step.map_err(|error| bad(&error))?.0;
+        // Both are names without quotes.
+        let _ = write!(text, "\n[step.ask]\nexercise = \"{id}\"\nseed = {seed}\n");
+        made = Some(parse_bytes(text.as_bytes()).map_err(|error| bad(&error))?);
+    }
+    // There is at least one exercise.
+    made.map_or(Ok(()), |lesson| super::package::write(&lesson, &text, &args.packed, (written, lang)))
 }
 
 /// Reports the mistakes of a class. A file that holds no progress is named in the report, and is no error.

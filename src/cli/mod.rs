@@ -19,6 +19,7 @@ mod lesson;
 mod manual;
 mod matrix;
 mod opening;
+mod package;
 mod photograph;
 mod progress;
 mod render;

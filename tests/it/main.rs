@@ -60,6 +60,7 @@ mod notes;
 mod one_triangle;
 mod other_programs;
 mod own_exercises;
+mod packages;
 mod paper;
 mod paper_pictures;
 mod photograph;

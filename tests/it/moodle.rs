@@ -1,6 +1,6 @@
 //! The bank of questions for Moodle, read by another parser, which marks answers as Moodle does.
 
-#![expect(clippy::unwrap_used, reason = "tests")]
+#![expect(clippy::unwrap_used, clippy::print_stderr, reason = "tests")]
 
 use camera_lab::exercises::{Exercise, Free, Kind, Slip, Slips, check, entries};
 use camera_lab_words::Lang;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
+use super::package::PackedArgs;
 use super::words::{DataFormat, LangArg, TableFormat};
 use crate::cli::Failure;
 use crate::exercises::Free;
@@ -29,6 +30,8 @@ pub(in crate::cli) enum ExerciseCommand {
     Check(CheckArgs),
     /// Write a sheet to hand out
     Sheet(SheetArgs),
+    /// Pack exercises for a course platform, as a zip of SCORM 1.2
+    Package(PackageArgs),
     /// Read the progress of students, and report what they solved and which mistakes how many of them made
     Report(ReportArgs),
 }
@@ -119,6 +122,27 @@ pub(in crate::cli) struct SheetArgs {
 }
 
 #[derive(Debug, Args)]
+pub(in crate::cli) struct PackageArgs {
+    /// Exercises, in this order
+    #[arg(long, value_name = "A,B,…", value_delimiter = ',', required = true)]
+    pub(in crate::cli) ids: Vec<String>,
+    /// A whole number from 0. The same seed gives the same numbers
+    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true)]
+    seed: String,
+    /// Language of texts and messages
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(in crate::cli) lang: Option<LangArg>,
+    #[command(flatten)]
+    pub(in crate::cli) packed: PackedArgs,
+}
+
+impl PackageArgs {
+    pub(in crate::cli) fn seed(&self, lang: Lang) -> Result<u64, Failure> {
+        seed(&self.seed, lang)
+    }
+}
+
+#[derive(Debug, Args)]
 pub(in crate::cli) struct ReportArgs {
     /// Progress files (progress.toml) or the tables that the window exports, one for each student. A file without a
     /// student's name belongs to the student whom it's named after
@@ -135,9 +159,13 @@ pub(in crate::cli) struct ReportArgs {
     pub(in crate::cli) lang: Option<LangArg>,
 }
 
+fn seed(text: &str, lang: Lang) -> Result<u64, Failure> {
+    text.trim().parse().map_err(|_| Failure::BadInput(texts::seed(lang, text)))
+}
+
 impl NumbersArgs {
     pub(in crate::cli) fn seed(&self, lang: Lang) -> Result<u64, Failure> {
-        self.seed.trim().parse().map_err(|_| Failure::BadInput(texts::seed(lang, &self.seed)))
+        seed(&self.seed, lang)
     }
 
     /// The seeds of the versions of a sheet, and true if they're a range.

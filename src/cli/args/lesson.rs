@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 
 use super::exercise::ListArgs;
+use super::package::PackedArgs;
 use super::words::{LangArg, TableFormat, one_of, word_of};
 use crate::cli::Failure;
 use crate::export::format::PictureFormat;
@@ -32,6 +33,8 @@ pub(in crate::cli) enum LessonCommand {
     Render(LessonRenderArgs),
     /// Open the window with a lesson
     Play(PlayArgs),
+    /// Pack a lesson for a course platform, as a zip of SCORM 1.2
+    Package(PackageArgs),
 }
 
 /// Which lesson.
@@ -117,6 +120,14 @@ impl LessonRenderArgs {
         let unused: &[(&'static str, bool)] = if is_handout { &of_pictures } else { &of_handouts };
         unused.iter().find(|(_, is_given)| *is_given).map(|(option, _)| *option)
     }
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct PackageArgs {
+    #[command(flatten)]
+    pub(in crate::cli) which: WhichArgs,
+    #[command(flatten)]
+    pub(in crate::cli) packed: PackedArgs,
 }
 
 #[derive(Debug, Args)]

@@ -5,6 +5,7 @@ pub(super) mod figure;
 pub(super) mod lesson;
 pub(super) mod matrix;
 pub(super) mod output;
+pub(super) mod package;
 pub(super) mod photograph;
 pub(super) mod sheet;
 pub(super) mod words;

@@ -13,7 +13,9 @@ use super::{Failure, Opening, nearest, print, say, say_left_out};
 use crate::camera::Camera;
 use crate::cli::args::exercise::ListArgs;
 use crate::cli::args::figure::size;
-use crate::cli::args::lesson::{CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, PlayArgs, ShowArgs, WhichArgs};
+use crate::cli::args::lesson::{
+    CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, PackageArgs, PlayArgs, ShowArgs, WhichArgs,
+};
 use crate::cli::args::words::{LangArg, TableFormat, written};
 use crate::cli::lesson::step_pictures::{Found, composite, files_of, scene, size_of};
 use crate::exercises::Entry;
@@ -41,6 +43,7 @@ pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>,
         LessonCommand::Show(args) => show(args, lang)?,
         LessonCommand::Check(args) => check(args, lang)?,
         LessonCommand::Render(args) => render(args, lang)?,
+        LessonCommand::Package(args) => package(args, lang)?,
         LessonCommand::Play(args) => return play(args, lang).map(Some),
     }
     Ok(None)
@@ -70,6 +73,14 @@ fn read(path: &Path, lang: Lang) -> Result<(Lesson, String), Failure> {
 
 fn of_file(path: &Path, error: &FileError, lang: Lang) -> Failure {
     Failure::BadInput(messages::file(lang, &messages::opened(lang, path), error))
+}
+
+/// Packs a lesson. A built-in one is in the page already.
+fn package(args: &PackageArgs, lang: Lang) -> Result<(), Failure> {
+    let Found { lesson, path } = find(&args.which, lang)?;
+    let text = path.map(|path| read(&path, lang)).transpose()?.map(|(_, text)| text);
+    let opened = text.as_deref().unwrap_or(&lesson.id);
+    super::package::write(&lesson, opened, &args.packed, (written(args.which.lang), lang))
 }
 
 fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {

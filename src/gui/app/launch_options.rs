@@ -48,6 +48,8 @@ impl LaunchOptions {
                     asked.bare = value == "none";
                     asked.bare
                 }
+                // Who may send messages: a matter of the page's script.
+                "allow" => true,
                 _ => false,
             };
             if !is_known {

@@ -4,8 +4,6 @@ use eframe::egui::{self, Event};
 
 use camera_lab_desk::Model;
 
-/// Duration of a step, in seconds.
-const DURATION: f64 = 0.2;
 /// Time for which a step is shown in the world, in seconds.
 const SHOWN: f64 = 2.0;
 
@@ -21,7 +19,7 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, model: &mut Model) {
         };
         (input.time, input.raw.events.iter().any(presses))
     });
-    let share = (now - *motion.began.get_or_insert(now)) / DURATION;
+    let share = (now - *motion.began.get_or_insert(now)) / motion.seconds;
     if pressed || share >= 1.0 {
         model.motion = Some(motion);
         model.finish_motion();

@@ -8,6 +8,9 @@ use crate::scene_tree::Selected;
 /// Seconds in which the pictures of a step before fade into those of the next one.
 pub const FADE: f64 = 0.4;
 
+/// Duration of a step, in seconds.
+const STEP: f64 = 0.2;
+
 /// A step on its way to its end.
 #[derive(Clone, Debug)]
 pub struct Motion {
@@ -19,6 +22,8 @@ pub struct Motion {
     pub amount: f64,
     /// The signs of angles.
     pub convention: Convention,
+    /// Its duration, in seconds.
+    pub seconds: f64,
     /// When it began, in seconds. `None` for the next frame.
     pub began: Option<f64>,
 }
@@ -46,7 +51,7 @@ impl Model {
         if self.settings.reduce_motion || operation.apply(&start, convention).is_err() {
             self.operate(operation);
         } else {
-            self.motion = Some(Motion { start, freedom, amount, convention, began: None });
+            self.motion = Some(Motion { start, freedom, amount, convention, seconds: STEP, began: None });
         }
     }
 

@@ -181,7 +181,7 @@ fn known_numbers(lang: Lang, entry: &Entry, exercise: &Exercise, ask: &Ask) -> V
                 .find(|other| !other.feedback.is_empty() && (other.value - value).abs() <= other.tolerance);
             match same {
                 Some(same) if !same.feedback.contains(&feedback) => {
-                    same.feedback = format!("{} {feedback}", same.feedback)
+                    same.feedback = format!("{} {feedback}", same.feedback);
                 }
                 Some(_) => {}
                 None => {

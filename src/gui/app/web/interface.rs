@@ -42,6 +42,14 @@ pub(in crate::gui) fn offer(window: &Window, runner: &WebRunner) -> Result<(), J
         of.app_mut::<Page>().and_then(|page| pictures(&page).ok()).map_or(JsValue::NULL, JsValue::from)
     });
     Reflect::set(&lab, &"pictures".into(), &pictures.into_js_value())?;
+    let of = runner.clone();
+    let ask = Closure::<dyn Fn(String, String, String) -> Result<JsValue, JsValue>>::new(
+        move |what: String, one: String, two: String| {
+            let Some(mut page) = of.app_mut::<Page>() else { return Err(JsValue::NULL) };
+            super::messages::asked(&mut page, &what, one, &two).map(JsValue::from).map_err(JsValue::from)
+        },
+    );
+    Reflect::set(&lab, &"ask".into(), &ask.into_js_value())?;
     Reflect::set(&lab, &"ready".into(), &false.into())?;
     Reflect::set(window, &"cameraLab".into(), &lab)?;
     Ok(())

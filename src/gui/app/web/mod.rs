@@ -2,6 +2,7 @@
 //! address.
 
 mod interface;
+mod messages;
 mod store;
 
 use std::cell::{Cell, RefCell};
@@ -148,6 +149,8 @@ struct Page {
     full_screen: bool,
     /// True if the readiness of the pictures has been reported.
     told: bool,
+    /// What the page around this one knows.
+    known: messages::Known,
 }
 
 impl Page {
@@ -191,7 +194,14 @@ impl Page {
             app.state.model.say(camera_lab_desk::message::Message::File(PathBuf::new(), error));
         }
         WAKE.set(Some(ctx.clone()));
-        Ok(Self { app, title: String::new(), system, full_screen: false, told: false })
+        Ok(Self {
+            app,
+            title: String::new(),
+            system,
+            full_screen: false,
+            told: false,
+            known: messages::Known::default(),
+        })
     }
 
     /// The title of the page, and how much of the screen it takes.
@@ -248,6 +258,9 @@ impl eframe::App for Page {
         if !self.told && self.app.canvas.drawn().iter().any(|count| *count > 0) {
             self.told = true;
             interface::say_ready();
+        }
+        if self.told {
+            messages::tell(self);
         }
     }
 

@@ -196,6 +196,9 @@ pub struct Exercises {
     pub(in crate::gui) forgets: bool,
     /// The folder of a lecturer's own exercises.
     pub own: Option<Arc<OwnFolder>>,
+    /// The exercise, the ask and whether it was right, of each answer and guess since the page around this one was
+    /// last told. Empty outside a browser.
+    pub(in crate::gui) answered: Vec<(Chosen, String, bool)>,
     /// The questions of the lesson being played, which are in no list.
     pub(in crate::gui) of_lesson: Vec<Entry>,
     /// True if the user is sure of the guess to be made, false if not. `None` until they say so.
@@ -441,6 +444,7 @@ impl Exercises {
         let (fields, Some(open)) = (self.fields(ask).to_vec(), self.open.clone()) else { return };
         let said = joined(ask, &fields);
         self.typed_now().guesses.insert(ask.name.clone(), fields);
+        self.note_answered(ask, right);
         let done = Done::Guessed(open.id, Guess { said, right, sure: self.sure.take(), at: now });
         done.note(&mut self.progress);
         self.unwritten.push(done);
@@ -467,8 +471,15 @@ impl Exercises {
 
     /// Stores the verdict on an answer, and that it was judged.
     pub(in crate::gui) fn took(&mut self, ask: &Ask, checked: Checked) {
+        self.note_answered(ask, checked.judged.right);
         self.typed_now().judged.insert(ask.name.clone());
         self.checked.insert(ask.name.clone(), checked);
+    }
+
+    fn note_answered(&mut self, ask: &Ask, right: bool) {
+        if cfg!(target_arch = "wasm32") {
+            self.answered.extend(self.open.clone().map(|open| (open, ask.name.clone(), right)));
+        }
     }
 
     /// The typed answers of the current exercise.
