@@ -36,7 +36,7 @@ fn the_page_has_the_same_letters_and_all_that_the_program_writes() {
     // Code and columns of numbers use few characters. Missing ones are taken from the other font.
     let fonts = [("crates/engine/fonts", "DejaVuSans.ttf", 1200), ("assets/fonts", "DejaVuSansMono.ttf", 400)];
     // Those of mathematics have only lost their instructions, and the bold one letters that no vector has.
-    let of_mathematics = [("Main-Regular", 280), ("Math-Italic", 80), ("Main-Bold", 150)];
+    let of_mathematics = [("Main-Regular", 280), ("Math-Italic", 80), ("Main-Bold", 100)];
     let of_mathematics =
         of_mathematics.map(|(name, least)| ("crates/engine/fonts", format!("KaTeX_{name}.ttf"), least));
     let of_sizes = (1..=4).map(|size| ("assets/fonts", format!("KaTeX_Size{size}-Regular.ttf"), 20));

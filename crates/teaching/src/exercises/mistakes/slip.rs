@@ -449,7 +449,7 @@ slips! {
     AngleHalved = FactorTwo "half-angle";
     /// θ = arctan(H/F).
     AngleOfHeight = WholeAngle "height";
-    /// t = d_A/(d_A + d_B), with the signs of the distances.
+    /// `t = d_A/(d_A + d_B)`, with the signs of the distances.
     DistancesAdded = Sign "cut";
     /// Left, bottom and near before right, top and far.
     NegativePlanesFirst = OrderReversed "planes";
