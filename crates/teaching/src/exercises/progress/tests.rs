@@ -199,6 +199,35 @@ fn a_mistake_of_which_one_was_sure_comes_first_until_it_is_practised() {
     assert_ne!(next(&progress).why, Why::Sure);
 }
 
+#[test]
+fn a_wrong_guess_comes_back_the_next_day_and_then_as_its_family_does() {
+    let mut progress = Progress::default();
+    let two = || entries().filter(|entry| ["basis", "window"].contains(&&*entry.id));
+    let next = |progress: &Progress, now| {
+        let next = progress.practise_after(two(), now, |_| Some("window")).unwrap();
+        (next.id, next.why)
+    };
+    let first = ("basis".to_owned(), Why::NotSolved);
+    let again = |why| ("window".to_owned(), why);
+    let at = 5 * DAY;
+    let guess = |right| Guess { said: String::new(), right, sure: None, at };
+    progress.guessed("right", guess(true));
+    progress.guessed("wrong", guess(false));
+    // A clock may have run ahead.
+    for early in [0, at - 1, at, at + DAY - 1] {
+        assert_eq!(next(&progress, early), first, "{early}");
+    }
+    assert_eq!(next(&progress, at + DAY), again(Why::Guess(1)));
+    assert_eq!(next(&progress, at + 4 * DAY), again(Why::Guess(4)));
+    let mut solved_at = at + DAY;
+    for (seed, days) in (0..).zip([1, 3, 7, 21]) {
+        solve(&mut progress, entry("window").unwrap(), seed, solved_at);
+        assert_eq!(next(&progress, solved_at + (days - 1) * DAY), first, "{days}");
+        solved_at += days * DAY;
+        assert_eq!(next(&progress, solved_at), again(Why::Due(days)));
+    }
+}
+
 /// Days after the beginning, and the reason then.
 #[test]
 fn a_family_comes_back_after_1_3_7_and_21_days_with_new_numbers() {
