@@ -287,10 +287,10 @@ fn it_becomes_a_table() {
     answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1_709_251_199);
     progress.opened("0-5.1", 0, "parallel_direction", 2);
     progress.begin("a, \"b\"", 0);
-    let table = "kind,name,tries,solved,last,seed,hints,open\n\
-                 exercise,0-5.1,1,0,2024-02-29T23:59:59Z,0,2,\n\
-                 exercise,\"a, \"\"b\"\"\",0,0,,0,0,\n\
-                 mistake,vup-as-v,1,,2024-02-29T23:59:59Z,,,true\n";
+    let table = "kind,name,tries,solved,last,seed,hints,open,alone,exercise,student\n\
+                 exercise,0-5.1,1,0,2024-02-29T23:59:59Z,0,2,,0,,\n\
+                 exercise,\"a, \"\"b\"\"\",0,0,,0,0,,0,,\n\
+                 mistake,vup-as-v,1,,2024-02-29T23:59:59Z,,,true,,0-5.1,\n";
     assert_eq!(progress.to_csv(), table);
     for (seconds, said) in
         [(0, "1970-01-01T00:00:00Z"), (946_684_800, "2000-01-01T00:00:00Z"), (4_107_542_400, "2100-03-01T00:00:00Z")]
