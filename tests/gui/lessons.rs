@@ -235,29 +235,37 @@ fn the_first_start_offers_the_first_lesson_and_no_later_one_does() {
     }
 }
 
-/// The next start continues at the step where the last one ended, and closing the line is for this time only.
+/// The next start continues at the step where the last one ended, and closing the line is for this time only. The end of
+/// a lesson leads to the next one.
 #[test]
 fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
-    let folder = Folder::new("go-on");
-    let config = folder.file("config");
-    std::fs::create_dir_all(&config).unwrap();
-    let kept = "language = \"en\"\nwelcomed = true\nlessons = [\"camera=13\", \"window=10\"]\n\
-                lessons_done = [\"camera=1\", \"camera=2\", \"camera=3\", \"camera=5\", \"camera=6\", \"camera=8\", \
-                \"camera=10\", \"camera=11\", \"camera=12\", \"camera=13\"]\n";
-    std::fs::write(config.join("preferences.toml"), kept).unwrap();
-    let mut window = Window::new(Lang::En);
-    let ctx = window.harness.ctx.clone();
-    window.run();
-    window.app_mut().keep_preferences(&ctx, &config, LaunchOptions::default());
-    window.run();
-    let lesson = &shipped()[2].lesson;
-    assert!(window.state().learn.is_finished(&shipped()[0].lesson) && !window.state().learn.is_finished(lesson));
-    let name = words::go_on(Lang::En, lesson, 9);
-    assert!(name.ends_with("step 10"), "{name}");
-    window.harness.get_by_label(&name).click();
-    window.run();
-    assert_eq!((step(&window), window.state().learn.lesson.as_ref().unwrap().lesson.id.as_str()), (9, "window"));
-    assert!(!window.state().learn.goes_on);
+    for (stopped, id, place) in
+        [("", "window", 9), ("photograph=4", "photograph", 3), ("camera=13", "window", 9), ("gone=2", "window", 9)]
+    {
+        let folder = Folder::new("go-on");
+        let config = folder.file("config");
+        std::fs::create_dir_all(&config).unwrap();
+        let kept = format!(
+            "language = \"en\"\nwelcomed = true\nlessons = [\"camera=13\", \"window=10\", \"photograph=9\"]\n\
+             lessons_done = [\"camera=1\", \"camera=2\", \"camera=3\", \"camera=5\", \"camera=6\", \"camera=8\", \
+             \"camera=10\", \"camera=11\", \"camera=12\", \"camera=13\"]\nlesson_stopped = \"{stopped}\"\n"
+        );
+        std::fs::write(config.join("preferences.toml"), kept).unwrap();
+        let mut window = Window::new(Lang::En);
+        let ctx = window.harness.ctx.clone();
+        window.run();
+        window.app_mut().keep_preferences(&ctx, &config, LaunchOptions::default());
+        window.run();
+        let lesson = &shipped().iter().find(|shipped| shipped.lesson.id == id).unwrap().lesson;
+        assert!(window.state().learn.is_finished(&shipped()[0].lesson) && !window.state().learn.is_finished(lesson));
+        let name = words::go_on(Lang::En, lesson, place);
+        assert!(name.ends_with(&format!("step {}", place + 1)), "{name}");
+        window.harness.get_by_label(&name).click();
+        window.run();
+        assert_eq!((step(&window), window.state().learn.lesson.as_ref().unwrap().lesson.id.as_str()), (place, id));
+        assert!(!window.state().learn.goes_on);
+        assert_eq!(window.state().learn.stopped, Some((id.to_owned(), place)));
+    }
 }
 
 /// Passing over everything finishes nothing. A shown way is no answer.

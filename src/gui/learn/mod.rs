@@ -40,6 +40,8 @@ pub struct Learn {
     /// The steps of each lesson whose task was done, from 0, by an answer of the user's own, and not by a way that was
     /// shown.
     pub done: BTreeMap<String, BTreeSet<usize>>,
+    /// The lesson of the program that was played last, and its step, from 0.
+    pub stopped: Option<(String, usize)>,
     /// True if one line offers to continue from the last time.
     pub goes_on: bool,
     /// True if one line offers the first lesson and the gallery.

@@ -127,6 +127,8 @@ pub enum Why {
     Begun,
     /// It was solved this many days ago, and comes back.
     Due(u64),
+    /// It practises a question of a lesson, to which a guess was wrong this many days ago.
+    Guess(u64),
     /// The first unsolved one.
     NotSolved,
     /// All are solved. This one was tried least recently.
@@ -272,7 +274,10 @@ impl Progress {
     /// clock that ran ahead. Its true time is unknown, so it comes before the known ones. `None` if there are no
     /// entries.
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
-        let entries: Vec<&Entry> = entries.into_iter().collect();
+        self.next_of(&entries.into_iter().collect::<Vec<_>>(), now, |_| None)
+    }
+
+    fn next_of(&self, entries: &[&Entry], now: u64, family: fn(&str) -> Option<&'static str>) -> Option<Next> {
         let mut open: Vec<(Mistake, &Made)> =
             self.mistakes().filter(|(mistake, made)| made.is_open && mistake.is_misconception()).collect();
         open.sort_by_key(|(mistake, made)| (std::cmp::Reverse((made.times, made.last)), *mistake));
@@ -292,9 +297,17 @@ impl Progress {
             return Some(Next { id: entry.id.clone().into_owned(), seed, why: Why::Begun });
         }
         let due = entries.iter().filter(|entry| entry.is_family);
-        let due = due.filter_map(|entry| Some((entry, self.waited(&entry.id, now)?)));
-        if let Some((entry, (_, days))) = due.max_by_key(|(_, (beyond, _))| *beyond) {
-            return Some(self.next(entry, Why::Due(days)));
+        let due = due.filter_map(|entry| {
+            let (beyond, days) = self.waited(&entry.id, now)?;
+            Some((entry, beyond, Why::Due(days)))
+        });
+        let guessed = self.guesses().filter_map(|(question, guess)| {
+            let (beyond, days) = waited(guess.at, 1, now).filter(|_| !guess.right)?;
+            let entry = self.after_question(entries, guess, family(question)?)?;
+            Some((entry, beyond, Why::Guess(days)))
+        });
+        if let Some((entry, _, why)) = guessed.chain(due).max_by_key(|(_, beyond, _)| *beyond) {
+            return Some(self.next(entry, why));
         }
         let is_solved = |entry: &Entry| matches!(self.stage(&entry.id), Stage::Solved | Stage::Alone);
         if let Some(entry) = entries.iter().find(|entry| !is_solved(entry)) {
@@ -310,15 +323,18 @@ impl Progress {
         let mut wrong: Vec<(&str, &Guess)> =
             self.guesses().filter(|(_, guess)| guess.sure == Some(true) && !guess.right).collect();
         wrong.sort_by_key(|(_, guess)| std::cmp::Reverse(guess.at));
-        wrong.into_iter().find_map(|(question, guess)| {
-            let family = family(question)?;
-            let is_solved = self.tried(family).and_then(|tried| tried.solved_at).is_some_and(|at| at > guess.at);
-            entries.iter().find(|entry| entry.id == family && !is_solved).copied()
-        })
+        wrong.into_iter().find_map(|(question, guess)| self.after_question(entries, guess, family(question)?).copied())
     }
 
-    /// As [`practise_next`](Self::practise_next), but a mistake that the student was sure of comes first. `family`
-    /// gives the family that comes after a question of a lesson.
+    /// The family that practises the question of a guess, unless it has been solved since.
+    fn after_question<'a, 'b>(&self, entries: &'b [&'a Entry], guess: &Guess, family: &str) -> Option<&'b &'a Entry> {
+        let is_solved = self.tried(family).and_then(|tried| tried.solved_at).is_some_and(|at| at > guess.at);
+        entries.iter().find(|entry| entry.id == family && !is_solved)
+    }
+
+    /// As [`practise_next`](Self::practise_next), but a mistake that the student was sure of comes first, and other
+    /// wrong guesses come back from the next day on. `family` gives the family that comes after a question of a
+    /// lesson.
     pub fn practise_after<'a>(
         &self,
         entries: impl IntoIterator<Item = &'a Entry>,
@@ -328,7 +344,7 @@ impl Progress {
         let entries: Vec<&Entry> = entries.into_iter().collect();
         match self.sure_and_wrong(&entries, family) {
             Some(entry) => Some(self.next(entry, Why::Sure)),
-            None => self.practise_next(entries, now),
+            None => self.next_of(&entries, now, family),
         }
     }
 
@@ -336,9 +352,7 @@ impl Progress {
     /// time, and for an exercise that isn't solved.
     fn waited(&self, id: &str, now: u64) -> Option<(u64, u64)> {
         let tried = self.tried(id).filter(|tried| tried.solved > 0)?;
-        let times = usize::try_from(tried.solved).unwrap_or(DAYS.len()).min(DAYS.len());
-        let since = now.checked_sub(tried.solved_at?)?;
-        Some((since.checked_sub(DAYS[times - 1] * DAY)?, since / DAY))
+        waited(tried.solved_at?, tried.solved, now)
     }
 
     fn next(&self, entry: &Entry, why: Why) -> Next {
@@ -389,6 +403,14 @@ impl Progress {
     fn of(&mut self, id: &str) -> &mut Tried {
         self.exercises.entry(id.to_owned()).or_default()
     }
+}
+
+/// Seconds since something comes back for this time (from 1), and days since `at`; `None` before, and if `at` is yet to
+/// come.
+fn waited(at: u64, times: u32, now: u64) -> Option<(u64, u64)> {
+    let times = usize::try_from(times).unwrap_or(DAYS.len()).clamp(1, DAYS.len());
+    let since = now.checked_sub(at)?;
+    Some((since.checked_sub(DAYS[times - 1] * DAY)?, since / DAY))
 }
 
 impl Mistake {

@@ -151,10 +151,18 @@ pub fn draft(lang: Lang, number: usize) -> lessons::Draft {
     lessons::Draft { lesson: alone(t.new_lesson.to_owned()), title: alone(format!("{} {number}", t.step)) }
 }
 
-/// The title of a lesson, and the minutes that it takes.
+/// The title of a lesson, and the minutes that it takes, apart from its exercises.
 pub fn with_minutes(lang: Lang, lesson: &Lesson) -> String {
-    let minutes = lesson.minutes.map_or_else(String::new, |minutes| format!(" ({} min)", significant(minutes, 3)));
+    let has_exercises = lesson.steps.iter().any(|step| matches!(step.task, Some(Task::Exercise { .. })));
+    let minutes =
+        lesson.minutes.map_or_else(String::new, |minutes| format!(" ({})", in_minutes(lang, minutes, has_exercises)));
     format!("{}{minutes}", told(lang, &lesson.title))
+}
+
+/// The minutes of a lesson, whose exercises take longer.
+fn in_minutes(lang: Lang, minutes: f64, has_exercises: bool) -> String {
+    let minutes = significant(minutes, 3) + " min";
+    if has_exercises { text!(lang, minutes_and_exercises, minutes) } else { minutes }
 }
 
 /// The step of how many.

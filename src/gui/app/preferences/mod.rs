@@ -151,6 +151,12 @@ const KEYS: &[Key] = &[
         of: |state| done_value(&state.learn.done),
         apply: |state, value| state.learn.done = lessons_done(pairs(value)),
     },
+    // Empty: none yet.
+    Key {
+        name: "lesson_stopped",
+        of: |state| state.learn.stopped.as_ref().map_or_else(String::new, |(id, step)| pair(id, *step)).into(),
+        apply: |state, value| state.learn.stopped = value.as_str().and_then(of_pair),
+    },
     key!("convention", one of CONVENTIONS, model.operations.convention),
     key!("ndc", [model.settings.conventions.ndc], |own| own.name(), ndc),
     // Empty: with none.
@@ -358,10 +364,13 @@ fn pair(id: &str, step: usize) -> String {
 /// The lessons and steps in such a value.
 fn pairs(value: &Value) -> impl Iterator<Item = (String, usize)> {
     let texts = value.as_array().into_iter().flatten().filter_map(Value::as_str);
-    texts.filter_map(|text| {
-        let (id, step) = text.split_once('=')?;
-        Some((id.to_owned(), step.parse::<usize>().ok()?.checked_sub(1)?))
-    })
+    texts.filter_map(of_pair)
+}
+
+/// The lesson and the step, from 0, in a text of [`pair`].
+fn of_pair(text: &str) -> Option<(String, usize)> {
+    let (id, step) = text.split_once('=')?;
+    Some((id.to_owned(), step.parse::<usize>().ok()?.checked_sub(1)?))
 }
 
 /// The value of [`LESSONS`].
@@ -437,6 +446,7 @@ mod tests {
         (settings.welcomed, settings.numbers_open) = (true, true);
         settings.window = Some(WindowPlace { at: Some([-8, 30]), size: [1000, 700], maximized: true });
         changed.learn.taken.insert("basis".to_owned(), 2);
+        changed.learn.stopped = Some(("basis".to_owned(), 1));
         changed.learn.done.insert("basis".to_owned(), [0, 2].into());
         changed.model.layout.arrangement = Some(Arrangement::Beside);
         changed.model.layout.strip = true;

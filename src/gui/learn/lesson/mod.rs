@@ -109,17 +109,14 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, model: &mut Model, learn: &mut Learn)
 /// lessons.
 pub(in crate::gui) fn go_on(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
     let is_fresh = model.desk.shown.path().is_none() && learn.lesson.is_none() && !model.settings.bare;
-    let next = learn.next_lesson().and_then(|place| lessons::shipped().get(place));
-    let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| learn.goes_on && is_fresh) else {
-        return;
-    };
+    let Some((lesson, step)) = learn.place_to_go_on().filter(|_| learn.goes_on && is_fresh) else { return };
     let lang = model.settings.lang;
-    let (t, step) = (words::texts(lang), learn.step_to_go_on(&lesson));
+    let t = words::texts(lang);
     let mut open = None;
     egui::Panel::top("go on").show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.label(format!("{}:", t.go_on));
-            if ui.link(words::go_on(lang, &lesson, step)).clicked() {
+            if ui.link(words::go_on(lang, lesson, step)).clicked() {
                 open = Some(lessons::OpenLesson { lesson: lesson.clone(), path: None, step });
             }
             ui.label("·");

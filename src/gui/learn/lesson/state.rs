@@ -177,6 +177,19 @@ impl Learn {
         begun.next().or_else(|| open().next()).map(|(place, _)| place)
     }
 
+    /// The lesson and the step to go on with: where the last lesson was left, or if that was its end, where the next one
+    /// continues.
+    pub fn place_to_go_on(&self) -> Option<(&'static Arc<Lesson>, usize)> {
+        let stopped = self.stopped.as_ref().and_then(|(id, step)| {
+            let lesson = &shipped().iter().find(|shipped| shipped.lesson.id == *id)?.lesson;
+            let is_done = || self.done.get(id).is_some_and(|done| done.contains(step));
+            let has_more = step + 1 < lesson.steps.len() || (lesson.steps.get(*step)?.task.is_some() && !is_done());
+            has_more.then_some((lesson, *step))
+        });
+        let next = || self.next_lesson().and_then(|place| shipped().get(place)).map(|shipped| &shipped.lesson);
+        stopped.or_else(|| next().map(|lesson| (lesson, self.step_to_go_on(lesson))))
+    }
+
     /// The step from which a lesson continues: the first with an unfinished task, at its last step or before.
     pub fn step_to_go_on(&self, lesson: &Lesson) -> usize {
         let furthest = self.taken.get(&lesson.id).copied().unwrap_or_default();
@@ -373,6 +386,7 @@ impl Learn {
         if playing.counts() {
             let furthest = self.taken.entry(playing.lesson.id.clone()).or_default();
             *furthest = step.max(*furthest);
+            self.stopped = Some((playing.lesson.id.clone(), step));
         }
         self.lesson = Some(playing);
         self.follow_writing();

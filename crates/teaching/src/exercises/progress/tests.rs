@@ -199,6 +199,35 @@ fn a_mistake_of_which_one_was_sure_comes_first_until_it_is_practised() {
     assert_ne!(next(&progress).why, Why::Sure);
 }
 
+#[test]
+fn a_wrong_guess_comes_back_the_next_day_and_then_as_its_family_does() {
+    let mut progress = Progress::default();
+    let two = || entries().filter(|entry| ["basis", "window"].contains(&&*entry.id));
+    let next = |progress: &Progress, now| {
+        let next = progress.practise_after(two(), now, |_| Some("window")).unwrap();
+        (next.id, next.why)
+    };
+    let first = ("basis".to_owned(), Why::NotSolved);
+    let again = |why| ("window".to_owned(), why);
+    let at = 5 * DAY;
+    let guess = |right| Guess { said: String::new(), right, sure: None, at };
+    progress.guessed("right", guess(true));
+    progress.guessed("wrong", guess(false));
+    // A clock may have run ahead.
+    for early in [0, at - 1, at, at + DAY - 1] {
+        assert_eq!(next(&progress, early), first, "{early}");
+    }
+    assert_eq!(next(&progress, at + DAY), again(Why::Guess(1)));
+    assert_eq!(next(&progress, at + 4 * DAY), again(Why::Guess(4)));
+    let mut solved_at = at + DAY;
+    for (seed, days) in (0..).zip([1, 3, 7, 21]) {
+        solve(&mut progress, entry("window").unwrap(), seed, solved_at);
+        assert_eq!(next(&progress, solved_at + (days - 1) * DAY), first, "{days}");
+        solved_at += days * DAY;
+        assert_eq!(next(&progress, solved_at), again(Why::Due(days)));
+    }
+}
+
 /// Days after the beginning, and the reason then.
 #[test]
 fn a_family_comes_back_after_1_3_7_and_21_days_with_new_numbers() {
@@ -258,10 +287,10 @@ fn it_becomes_a_table() {
     answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1_709_251_199);
     progress.opened("0-5.1", 0, "parallel_direction", 2);
     progress.begin("a, \"b\"", 0);
-    let table = "kind,name,tries,solved,last,seed,hints,open\n\
-                 exercise,0-5.1,1,0,2024-02-29T23:59:59Z,0,2,\n\
-                 exercise,\"a, \"\"b\"\"\",0,0,,0,0,\n\
-                 mistake,vup-as-v,1,,2024-02-29T23:59:59Z,,,true\n";
+    let table = "kind,name,tries,solved,last,seed,hints,open,alone,exercise,student\n\
+                 exercise,0-5.1,1,0,2024-02-29T23:59:59Z,0,2,,0,,\n\
+                 exercise,\"a, \"\"b\"\"\",0,0,,0,0,,0,,\n\
+                 mistake,vup-as-v,1,,2024-02-29T23:59:59Z,,,true,,0-5.1,\n";
     assert_eq!(progress.to_csv(), table);
     for (seconds, said) in
         [(0, "1970-01-01T00:00:00Z"), (946_684_800, "2000-01-01T00:00:00Z"), (4_107_542_400, "2100-03-01T00:00:00Z")]
