@@ -35,8 +35,8 @@ mod system {
         use camera_lab::gui::{self, GuiError, Start};
         use camera_lab_words::{command_line as texts, messages};
 
-        let cli::Opening { figure, file, allow_files, lang, asked_lang, lesson, later } = opening;
-        match gui::run(Start { figure, file, lang, allow_files, lesson, later }, asked_lang) {
+        let cli::Opening { figure, file, allow_files, lang, asked_lang, lesson, later, page_address } = opening;
+        match gui::run(Start { figure, file, lang, allow_files, lesson, later }, asked_lang, page_address) {
             Ok(()) => ExitCode::SUCCESS,
             Err(GuiError::NoWindow(why)) => no_window(1, &texts::no_window(lang, &why)),
             Err(GuiError::Camera(error)) => no_window(2, &messages::camera(lang, &error)),

@@ -27,6 +27,16 @@ heads=U+0020-017F,U+0370-03CF,U+2010-2027,U+2030-203A,U+2070-209F,U+2190-2199,U+
 pyftsubset /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --output-file="$window/DejaVuSans-Bold.ttf" --unicodes="$heads" \
     --layout-features=kern,mark,mkmk --no-glyph-names --notdef-outline --name-IDs='' --drop-tables+=FFTM,MATH
 
+# Those of mathematics are whole but for the instructions, 19 kB packed. Bold letters are vectors and matrices.
+subset_of_katex() {
+    mkdir -p "$1/page"
+    pyftsubset "$1/$2.ttf" --output-file="$1/page/$2.ttf" --unicodes="$3" --layout-features='' --no-glyph-names --notdef-outline \
+        --no-hinting --name-IDs=''
+}
+for name in KaTeX_Main-Regular KaTeX_Math-Italic; do subset_of_katex "$pictures" "$name" '*'; done
+for size in 1 2 3 4; do subset_of_katex "$window" "KaTeX_Size$size-Regular" '*'; done
+subset_of_katex "$pictures" KaTeX_Main-Bold U+0020-007E,U+0391-03C9,U+2212,U+00B7,U+00D7
+
 subset "$pictures" DejaVuSans "$letters"
 subset "$window" DejaVuSansMono "$columns"
 subset "$window" DejaVuSans-Bold "$titles"

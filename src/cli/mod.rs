@@ -103,6 +103,8 @@ pub struct Opening {
     pub lesson: Option<OpenLesson>,
     /// A file that answers too late for the start. The window opens it once it's there.
     pub later: Option<PathBuf>,
+    /// The address of the page of a course, for links.
+    pub page_address: Option<String>,
 }
 
 /// Runs the program with the arguments of a process (the program's name first), up to the window.
@@ -132,7 +134,10 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
                 other => other.map(|_| ()),
             },
             None => match opening::opening(&line.window, lang) {
-                Ok(opening) => return Asked::Window(Box::new(opening)),
+                Ok(opening) => {
+                    let page_address = line.window.page_address;
+                    return Asked::Window(Box::new(Opening { page_address, ..opening }));
+                }
                 Err(Failure::BadInput(message)) => return Asked::NoWindow { status: 2, message },
                 Err(Failure::Failed(message)) => return Asked::NoWindow { status: 1, message },
                 Err(failure) => Err(failure),

@@ -20,7 +20,16 @@ pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure>
     if let Some(path) = args.figure.as_ref().filter(|path| args.common.is_plain() && is_later(path)) {
         let figure = Figure::of_preset(Preset::default());
         let later = Some(path.clone());
-        return Ok(Opening { figure, file: None, allow_files, lang, asked_lang, lesson: None, later });
+        return Ok(Opening {
+            figure,
+            file: None,
+            allow_files,
+            lang,
+            asked_lang,
+            lesson: None,
+            later,
+            page_address: None,
+        });
     }
     if let Some(path) = args.figure.as_ref().filter(|path| files::is_lesson(path)) {
         return super::lesson::opened(path, allow_files, (lang, asked_lang));
@@ -28,12 +37,21 @@ pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure>
     if let Some(path) = &args.figure {
         let (opened, _) = super::open(path, &args.common, lang)?;
         let (figure, file) = opened.at(path);
-        return Ok(Opening { figure, file: Some(file), allow_files, lang, asked_lang, lesson: None, later: None });
+        return Ok(Opening {
+            figure,
+            file: Some(file),
+            allow_files,
+            lang,
+            asked_lang,
+            lesson: None,
+            later: None,
+            page_address: None,
+        });
     }
     let mut figure = Figure::of_preset(Preset::default());
     figure.show = args.common.shown(figure.show, lang)?;
     let none = FigureFiles::new(std::path::Path::new(""), FileAccess::of(std::path::Path::new(""), false, allow_files));
     super::operate(&mut figure, &args.common.steps(lang)?, args.common.convention, none, lang)
         .map_err(Failure::BadInput)?;
-    Ok(Opening { figure, file: None, allow_files, lang, asked_lang, lesson: None, later: None })
+    Ok(Opening { figure, file: None, allow_files, lang, asked_lang, lesson: None, later: None, page_address: None })
 }

@@ -78,12 +78,12 @@ pub enum GuiError {
 pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 
 /// Opens the window and returns when it's closed. Its language is the one in `asked`, else the stored one, else that of
-/// `start`.
+/// `start`. It remembers the address of a course's page.
 ///
 /// # Errors
 /// [`GuiError::NoWindow`] if there is no display or no usable OpenGL.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
+pub fn run(mut start: Start, asked: Option<Lang>, page_address: Option<String>) -> Result<(), GuiError> {
     let restore = start.file.is_none()
         && start.lesson.is_none()
         && start.later.is_none()
@@ -113,6 +113,9 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
                 app.keep_session(folders.data_dir(), restore);
             } else {
                 app.state.file_flow.news.tell(camera_lab_desk::News::NoHome);
+            }
+            if let Some(address) = page_address {
+                app.state.sharing.page_address = address;
             }
             let opened = lesson.map(camera_lab_desk::Intent::Lesson).or(later.map(camera_lab_desk::Intent::OpenPath));
             if let Some(open) = opened {

@@ -457,3 +457,28 @@ fn own_exercises_stand_beside_the_others_and_a_faulty_file_is_named() {
     gone.click(en::EXERCISE_WINDOW.own_close);
     assert!(gone.state().learn.exercises.own.is_none() && !gone.says("graphics course"));
 }
+
+#[test]
+fn question_field_and_button_are_in_sight_together_in_a_step_of_a_lesson() {
+    for lang in [Lang::En, Lang::PtBr] {
+        for step in 1..=6 {
+            let lesson = camera_lab::lessons::shipped().iter().position(|shipped| shipped.lesson.id == "sheet");
+            let window = super::lessons::playing(lesson.unwrap(), step, lang);
+            let t = exercise_window::texts(lang);
+            let name = format!("{}: ", t.check);
+            let checks = window.harness.query_all_by_label_contains(&name);
+            let button = checks.map(|node| node.rect()).min_by(|a, b| a.top().total_cmp(&b.top())).unwrap();
+            let fields = window
+                .harness
+                .query_all_by_role(Role::TextInput)
+                .chain(window.harness.query_all_by_role(Role::MultilineTextInput));
+            let above = fields.map(|node| node.rect()).filter(|field| field.bottom() <= button.top());
+            let field = above.max_by(|a, b| a.bottom().total_cmp(&b.bottom())).unwrap();
+            assert!(button.bottom() <= 720.0, "{lang:?} {step}: {button:?}");
+            assert!(
+                field.top() >= 26.0 && button.top() - field.bottom() < 30.0,
+                "{lang:?} {step}: {field:?} {button:?}"
+            );
+        }
+    }
+}

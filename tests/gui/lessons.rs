@@ -64,15 +64,16 @@ fn the_question_of_a_lesson_that_is_closed_leaves_the_list_of_exercises() {
 
 #[test]
 fn a_question_is_answered_before_the_next_step_is_shown() {
-    let mut window = playing(0, 0, Lang::En);
-    let lesson = &shipped()[0].lesson;
-    let Some(Task::Question(entry)) = &lesson.steps[0].task else { panic!("a question") };
+    let mut window = playing(14, 6, Lang::En);
+    // A question without a picture that answers it.
+    let lesson = &shipped()[14].lesson;
+    let Some(Task::Question(entry)) = &lesson.steps[6].task else { panic!("a question") };
     let exercise = entry.exercise(0, &Default::default());
     let ask = &exercise.asks[0];
     // Page down names the task to be done first.
     window.harness.key_press(Key::PageDown);
     window.run();
-    assert_eq!(step(&window), 0);
+    assert_eq!(step(&window), 6);
     let right = exercise_sheet::answer(Lang::En, ask);
     window.harness.get_by_label(&right).click();
     window.run();
@@ -83,21 +84,21 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
     for _ in 0..200 {
         window.harness.step();
     }
-    assert_eq!(step(&window), 1);
-    assert_eq!(window.state().model.desk.shown.figure().camera, lesson.steps[1].figure.camera);
+    assert_eq!(step(&window), 7);
+    assert_eq!(window.state().model.desk.shown.figure().camera, lesson.steps[7].figure.camera);
     assert!(!window.state().model.desk.can_undo(true), "the move is no change");
     // Back, and the question is still answered.
     window.harness.key_press(Key::PageUp);
     window.run();
-    assert_eq!(step(&window), 0);
+    assert_eq!(step(&window), 6);
     assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
 }
 
 #[test]
 fn a_wrong_answer_gets_a_reason_in_both_languages() {
     for lang in [Lang::En, Lang::PtBr] {
-        let mut window = playing(0, 0, lang);
-        let Some(Task::Question(entry)) = &shipped()[0].lesson.steps[0].task else { panic!("a question") };
+        let mut window = playing(14, 6, lang);
+        let Some(Task::Question(entry)) = &shipped()[14].lesson.steps[6].task else { panic!("a question") };
         let exercise = entry.exercise(0, &Default::default());
         let ask = &exercise.asks[0];
         let mistake = &ask.own_mistakes[0];
@@ -280,10 +281,13 @@ fn a_lesson_is_finished_when_its_questions_are() {
     window.run();
     let Some(Task::Question(entry)) = &lesson.steps[0].task else { panic!("a question") };
     let right = exercise_sheet::answer(Lang::En, &entry.exercise(0, &Default::default()).asks[0]);
-    window.harness.get_by_label(&right).click();
-    window.run();
-    window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
-    window.run();
+    // The guess, and then what the picture shows.
+    for button in [en::EXERCISE_WINDOW.guess, en::EXERCISE_WINDOW.check] {
+        window.harness.get_by_role_and_label(Role::RadioButton, &right).click();
+        window.run();
+        window.harness.get_by_label_contains(button).click();
+        window.run();
+    }
     assert_eq!(window.state().learn.done_of(lesson).0, 1);
 }
 

@@ -3,6 +3,7 @@
 #![expect(clippy::expect_used, clippy::cast_possible_truncation, reason = "tests may fail")]
 
 mod accidents;
+mod asked;
 mod cameras;
 mod canvas;
 mod canvas_keys;

@@ -7,6 +7,7 @@ use camera_lab::lessons::{Task, shipped};
 use camera_lab::views::View;
 use camera_lab_words::learn::{exercise_window, exercises};
 use camera_lab_words::{Lang, told};
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, pos2};
 use egui_kittest::kittest::Queryable as _;
 use glam::{DVec2, DVec3};
@@ -93,6 +94,33 @@ fn a_lesson_that_is_opened_again_asks_again() {
     assert_eq!(again.state().learn.exercises.progress.guesses().count(), 1, "the guess stays in the progress");
 }
 
+#[test]
+fn a_right_answer_has_its_reason_too_and_a_guess_its_certainty() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let (mut window, t) = (playing(0, 2, lang), exercise_window::texts(lang));
+        let Some(Task::Question(entry)) = &shipped()[0].lesson.steps[2].task else { panic!("a question") };
+        let exercise = entry.exercise(0, &Default::default());
+        let because = exercise.asks[0].because.clone().unwrap();
+        let reason: String = told(lang, &because).chars().take(20).collect();
+        for press in [exercises::choice_of(lang, &exercise.asks[0], "nothing"), t.unsure, t.sure] {
+            window.harness.get_by_label(press).click();
+            window.run();
+        }
+        window.harness.get_by_label_contains(t.guess).click();
+        window.run();
+        arrive(&mut window);
+        assert!(!window.says(&reason));
+        let nothing = exercises::choice_of(lang, &exercise.asks[0], "nothing");
+        window.harness.get_by_role_and_label(Role::RadioButton, nothing).click();
+        window.run();
+        window.harness.get_by_label_contains(t.check).click();
+        window.run();
+        assert!(window.says(&reason), "{reason}");
+        let (_, guess) = window.state().learn.exercises.progress.guesses().next().unwrap();
+        assert_eq!((guess.sure, guess.right), (Some(true), true));
+    }
+}
+
 /// The place of a point with C, PF, VUP and θ, by the construction of the notes.
 fn projected(point: DVec3, [c, pf, vup]: [DVec3; 3], theta: f64, [m, n]: [f64; 2]) -> [f64; 2] {
     let axis = (c - pf).normalize();
@@ -142,9 +170,15 @@ fn a_place_is_marked_by_click_and_arrows_and_judged_by_where_the_point_is() {
 }
 
 #[test]
-fn a_place_that_is_wrong_says_in_which_direction() {
+fn after_a_wrong_mark_a_second_place_is_asked_for_and_the_first_stays_hidden() {
     let mut window = playing(2, 10, Lang::PtBr);
     let t = exercise_window::texts(Lang::PtBr);
+    let Some(Task::Question(entry)) = &shipped()[2].lesson.steps[10].task else { panic!("a question") };
+    let exercise = entry.exercise(0, &Default::default());
+    let (first, second) = (&exercise.asks[0], exercise.asks[0].second.as_deref().unwrap());
+    let camera = window.state().model.desk.shown.figure().camera;
+    let place =
+        |ask: &camera_lab::exercises::Ask| -> [f64; 2] { ask.expected().table().unwrap().entries.try_into().unwrap() };
     let at = on_screen(&mut window, [512.0, 384.0]);
     window.click_at(at);
     window.harness.get_by_label_contains(t.guess).click();
@@ -153,12 +187,25 @@ fn a_place_that_is_wrong_says_in_which_direction() {
     // P is to the left of the axis and above it, half as far from it as before the zoom.
     assert!(!window.state().learn.lesson.as_ref().unwrap().is_done());
     assert!(window.says("mais à esquerda e mais acima"));
-    let right = placing_of(&mut window.app_mut().state).unwrap().right.unwrap();
-    let at = on_screen(&mut window, right);
-    window.click_at(at);
-    window.harness.get_by_label_contains(t.check).click();
-    window.run();
-    assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
+    assert!(window.says(exercises::ask(Lang::PtBr, &exercise, second).trim()));
+    let placing = placing_of(&mut window.app_mut().state).unwrap();
+    assert!(placing.right.is_none() && placing.is_open && placing.mark.is_none());
+    assert_eq!(window.state().model.desk.shown.figure().camera, camera, "the image that answers comes later");
+    // The place of the first question doesn't answer the second.
+    for (wanted, is_done) in [(place(first), false), (place(second), true)] {
+        if is_done {
+            // The image has moved, and both places are shown.
+            let placing = placing_of(&mut window.app_mut().state).unwrap();
+            assert_eq!((placing.right, placing.second), (Some(place(first)), Some(place(second))));
+            assert_ne!(window.state().model.desk.shown.figure().camera, camera);
+        }
+        let at = on_screen(&mut window, wanted);
+        window.click_at(at);
+        window.harness.get_by_label_contains(t.check).click();
+        window.run();
+        arrive(&mut window);
+        assert_eq!(window.state().learn.lesson.as_ref().unwrap().is_done(), is_done);
+    }
     let (_, guess) = window.state().learn.exercises.progress.guesses().next().unwrap();
     assert!(!guess.right, "what was guessed stays guessed");
 }

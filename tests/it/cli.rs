@@ -408,3 +408,12 @@ fn an_option_before_the_command_gives_the_right_order() {
         assert!(run.err.contains(found), "{}", run.err);
     }
 }
+
+#[test]
+fn the_address_of_a_page_is_one() {
+    let bench = bench("page-address");
+    for address in ["ftp://x", "example.org", "https://", ""] {
+        let run = bench.run(&["--page-address", address]);
+        assert!(run.refused(2).contains("https://"), "{address}");
+    }
+}

@@ -397,8 +397,13 @@ fn no_numbers_hide_a_mistake_of_their_family() {
             let shows = of_asks.any(|shows| shows);
             let (all, hidden) = shown.entry((entry.id.to_string(), is_parallel, *slip)).or_default();
             *all += 1;
-            // The first seeds keep their numbers: 45°, for which the sine is the cosine, and tan 45° = 1.
-            let is_kept = exercise.seed <= 50 && matches!(slip, Slip::SineForCosine | Slip::TangentForCotangent);
+            // The first seeds keep their numbers: 45°, for which the sine is the cosine, tan 45° = 1, PF at the origin,
+            // and equal steps along both axes.
+            let may_hide = matches!(
+                slip,
+                Slip::SineForCosine | Slip::TangentForCotangent | Slip::FocalPointForgotten | Slip::AxesExchanged
+            );
+            let is_kept = exercise.seed <= 50 && may_hide;
             if !shows && !is_kept {
                 hidden.push(exercise.seed);
             }

@@ -40,7 +40,7 @@ const CRATES: [(&str, &[Row]); 7] = [
             ("figure", &["formula"]),
             ("inspect", &["figure"]),
             ("explain", &["inspect"]),
-            ("views", &["figure"]),
+            ("views", &["figure", "inspect"]),
             ("export", &["chart", "formula"]),
             ("picture", &["figure", "views", "export"]),
         ],

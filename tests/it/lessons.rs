@@ -260,6 +260,35 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
 
 /// Always to guess the same place gives a third of the points.
 #[test]
+fn every_mark_has_reasons_for_wrong_places_and_a_second_place() {
+    for shipped in shipped() {
+        for (k, step) in shipped.lesson.steps.iter().enumerate() {
+            let Some(Task::Question(entry)) = &step.task else { continue };
+            for ask in entry.exercise(0, &Default::default()).asks.iter().filter(|ask| ask.places) {
+                let place = |ask: &exercises::Ask| ask.expected().table().unwrap().entries;
+                let (first, second) = (place(ask), place(ask.second.as_deref().unwrap()));
+                let apart = (first[0] - second[0]).hypot(first[1] - second[1]);
+                let name = format!("{} {}", shipped.lesson.id, k + 1);
+                assert!(!ask.own_mistakes.is_empty() && apart > 1.5 * ask.tolerance, "{name}: {apart}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_question_with_choices_has_the_reason_of_its_right_answer() {
+    for shipped in shipped() {
+        for (k, step) in shipped.lesson.steps.iter().enumerate() {
+            let Some(Task::Question(entry)) = &step.task else { continue };
+            for ask in entry.exercise(0, &Default::default()).asks {
+                let has_reason = ask.because.as_ref().is_some_and(|because| because.iter().count() == 2);
+                assert!(has_reason || !matches!(ask.kind, Kind::Choice(_)), "{} {}", shipped.lesson.id, k + 1);
+            }
+        }
+    }
+}
+
+#[test]
 fn right_answers_have_no_favourite_place_among_three() {
     let mut places = [0_usize; 3];
     for step in shipped().iter().flat_map(|shipped| &shipped.lesson.steps) {

@@ -24,6 +24,7 @@ mod diagnose_exact;
 mod exercise_causes;
 mod exercise_follows;
 mod exercise_mistakes;
+mod exercise_named;
 mod exercise_own_numbers;
 mod exercise_slips;
 mod exercise_slips_others;

@@ -386,7 +386,7 @@ fn each_lesson_asks_for_a_place_and_shows_its_answer() {
 #[test]
 fn guesses_are_kept_in_the_text_of_the_progress() {
     let mut progress = Progress::default();
-    let guess = |said: &str, right, at| Guess { said: said.to_owned(), right, at };
+    let guess = |said: &str, right, at| Guess { said: said.to_owned(), right, sure: None, at };
     progress.guessed("question-1", guess("smaller", false, 9));
     progress.guessed("question-1", guess("larger", true, 10));
     assert!(!progress.is_empty());

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::action::Action;
 use crate::figure::{Observers, TransformPreview};
+use crate::inspect::Asked;
 use crate::layout::ObserverChange;
 use crate::numerics::this_figure::VISIBLE;
 use crate::picture::Pixels;
@@ -50,6 +51,10 @@ pub struct Exchange {
     ///
     /// *Set by* the exercises. *Read by* the views. *Lives* for a frame.
     pub answered: Option<crate::camera::Camera>,
+    /// The quantities that open questions ask for, which nothing prints.
+    ///
+    /// *Set by* the exercises. *Read by* whatever prints numbers of the figure. *Lives* for a frame.
+    pub asked: Asked,
     /// Objects in the places where the explanation of order puts them.
     ///
     /// *Set by* the explanation of order. *Read by* the views. *Lives* for a frame.
@@ -84,6 +89,7 @@ impl Default for Exchange {
             open_panels: OpenPanels::default(),
             probe: None,
             answered: None,
+            asked: Asked::default(),
             placed: Vec::new(),
             request: None,
             method_image: None,

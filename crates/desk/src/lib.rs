@@ -80,7 +80,7 @@ pub use tools::{CameraList, Drawn, Grip, LabelMode, PhotographTool, SHORTEST};
 pub use watch::{Theirs, Watch};
 
 use camera_lab_engine::{appearance, camera, geometry, limits, numbers, pipeline, progress, sanitize, scene, stage};
-use camera_lab_figures::{chart, explain, export, figure, picture, views};
+use camera_lab_figures::{chart, explain, export, figure, inspect, picture, views};
 use camera_lab_teaching::{clock, exercises, lessons, numerics};
 
 /// A window that can be asked for another frame, from any thread.

@@ -132,6 +132,7 @@ impl Model {
             mark,
             guess: mark.and_then(done),
             right: done(to),
+            second: None,
             is_open: !asked.is_done,
             hint: words::texts(self.settings.lang).mark_here,
             of: Mark::Operation,
@@ -170,6 +171,8 @@ pub struct Placing {
     pub guess: Option<[f64; 2]>,
     /// The right place, once it may be seen.
     pub right: Option<[f64; 2]>,
+    /// The right place of a second question, once it may be seen.
+    pub second: Option<[f64; 2]>,
     /// The mark may be put elsewhere.
     pub is_open: bool,
     /// The words in the empty picture.

@@ -56,7 +56,11 @@ impl Model {
             pictures,
             answered: self.answered_camera().or(shot.answered),
             show,
-            compared: self.compared().map(Arc::new),
+            compared: self.compared().map(|mut compared| {
+                compared.shot.asked = self.frame.asked.clone();
+                Arc::new(compared)
+            }),
+            asked: self.frame.asked.clone(),
             ..shot
         }
     }

@@ -1,5 +1,6 @@
 //! Every number of a figure, as the command line prints it and the window shows it.
 
+mod asked;
 mod bounds;
 mod pairs;
 pub mod quantity;
@@ -16,6 +17,7 @@ use crate::figure::words::{self, PROJECTIONS};
 use crate::figure::{Figure, NamedCamera};
 use crate::geometry::Plane;
 use crate::sanitize;
+pub use asked::Asked;
 pub use bounds::{Bounds, Conditions, proved_digits};
 pub use pairs::{LinesReport, PairReport};
 pub use quantity::{BasisReport, LensReport, PlanesReport, PointReport, RayReport, SidesReport, WindowReport};

@@ -189,7 +189,9 @@ impl NumbersArgs {
             let value = expression::evaluate(value, Dimension::Angle)
                 .map_err(|error| bad(messages::expression(lang, &error.problem)))?;
             if value > 0.0 {
-                Ok((name.trim().to_owned(), value))
+                // Statements write the letter, and its name is in the JSON.
+                let name = if name.trim() == "θ" { "theta" } else { name.trim() };
+                Ok((name.to_owned(), value))
             } else {
                 Err(bad(said::greater_than_zero(lang).to_owned()))
             }

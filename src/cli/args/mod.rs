@@ -108,6 +108,20 @@ pub(super) struct WindowArgs {
     pub(super) figure: Option<PathBuf>,
     #[command(flatten)]
     pub(super) common: FigureArgs,
+    /// Address of the page of your course, https://…, which links, QR codes and handouts lead to. The window remembers it
+    #[arg(long, value_name = "URL", value_parser = address)]
+    pub(super) page_address: Option<String>,
+}
+
+/// An address of a page: of the web, or of a file.
+fn address(text: &str) -> Result<String, String> {
+    let is_one =
+        ["https://", "http://", "file://"].iter().any(|scheme| text.len() > scheme.len() && text.starts_with(scheme));
+    if is_one {
+        Ok(text.split('#').next().unwrap_or_default().to_owned())
+    } else {
+        Err("allowed: https://…".to_owned())
+    }
 }
 
 #[derive(Debug, Args)]

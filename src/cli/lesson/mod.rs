@@ -394,5 +394,5 @@ pub(super) fn opened(path: &Path, allow_files: bool, langs: (Lang, Option<Lang>)
 
 fn opening(open: OpenLesson, allow_files: bool, (lang, asked_lang): (Lang, Option<Lang>)) -> Opening {
     let figure = open.lesson.steps.get(open.step).map_or_else(Figure::default, |step| (*step.figure).clone());
-    Opening { figure, file: None, allow_files, lang, asked_lang, lesson: Some(open), later: None }
+    Opening { figure, file: None, allow_files, lang, asked_lang, lesson: Some(open), later: None, page_address: None }
 }

@@ -172,7 +172,7 @@ fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog,
                 Dialog::Help,
             )
         }
-        Dialog::About => about(ui, t, first).then_some(Dialog::About),
+        Dialog::About => about(ui, t, &state.sharing.address(), first).then_some(Dialog::About),
         Dialog::Link => {
             let State { model, learn, sharing, file_flow, .. } = &mut *state;
             link_dialog::show(ui, t, model, learn, (sharing, file_flow.refused.as_ref()), first)
@@ -543,21 +543,43 @@ fn third_party(_: &egui::Context) -> Option<&'static str> {
 /// The program: its version, its licence, and those of its components. They're built in, so a single copied file has
 /// them too. Only in a browser they stand beside the program, in its page. `first` is true when it has just been
 /// opened. False once it's closed.
-fn about(ui: &mut egui::Ui, t: &Texts, first: bool) -> bool {
+fn about(ui: &mut egui::Ui, t: &Texts, page_address: &str, first: bool) -> bool {
     ui.heading(format!("Camera Lab {}", env!("CARGO_PKG_VERSION")));
     ui.add_space(6.0);
     ui.label(t.about_text);
+    let [address, authors] = [env!("CARGO_PKG_REPOSITORY"), env!("CARGO_PKG_AUTHORS")];
+    for line in [page_address, address, authors].into_iter().filter(|line| !line.is_empty()) {
+        ui.label(sanitize::escaped(line));
+    }
     ui.label(t.about_licence);
     ui.add_space(6.0);
     let height = (ui.ctx().content_rect().height() - 220.0).max(80.0);
-    let lines: Vec<&str> = third_party(ui.ctx()).unwrap_or("…").lines().collect();
+    let lines: Vec<&str> =
+        third_party(ui.ctx()).unwrap_or("…").lines().filter(|line| !line.starts_with("| ---")).collect();
     let row = ui.text_style_height(&egui::TextStyle::Small);
     // At its full height from the first frame, or the dialog would grow for some frames.
     let area = egui::ScrollArea::both().max_height(height).min_scrolled_height(height).auto_shrink(false);
     area.show_rows(ui, row, lines.len(), |ui, range| {
         ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
         for line in &lines[range] {
-            ui.label(RichText::new(*line).small());
+            // Headings are bold, and the cells of a table stand in columns.
+            if let Some(heading) = line.strip_prefix('#') {
+                ui.label(RichText::new(heading.trim_start_matches(['#', ' '])).font(theme::bold(12.0)));
+            } else if let Some(row) = line.strip_prefix("| ").and_then(|row| row.strip_suffix(" |")) {
+                let widths = [180.0, 90.0, 260.0];
+                ui.horizontal(|ui| {
+                    ui.spacing_mut().item_spacing.x = 0.0;
+                    for (k, cell) in row.split(" | ").enumerate() {
+                        let left = ui.cursor().left();
+                        ui.label(RichText::new(cell).small());
+                        if let Some(width) = widths.get(k) {
+                            ui.add_space((left + width - ui.cursor().left()).max(6.0));
+                        }
+                    }
+                });
+            } else {
+                ui.label(RichText::new(line.replace(['`', '<', '>'], "")).small());
+            }
         }
     });
     ui.add_space(8.0);

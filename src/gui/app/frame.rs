@@ -82,6 +82,7 @@ impl App {
             }
         }
         context_help::begin(ctx);
+        self.state.model.frame.asked = self.state.learn.asked(&self.state.model);
         // The panels of this frame set the hover.
         self.state.model.frame.hover = PanelHover::default();
         self.state.model.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
@@ -110,8 +111,13 @@ impl App {
         if presenting {
             presentation::caption(ui, &self.state.model);
         }
+        // The exercise of a step has the whole height, because it's longer than the text of the step.
+        let has_height = !presenting && self.state.learn.works_on_step() && self.state.model.shows_exercises();
+        if has_height {
+            self.explanation_panel(ui, t);
+        }
         let of_lesson = lesson::panel(ui, &mut self.state.model, &mut self.state.learn);
-        self.side_panels(ui, t);
+        self.side_panels(ui, t, !has_height);
         tooltip::beside_nothing(&ctx);
         if let Some(note) = context_help::called(&ctx) {
             self.state.explain.explain_by_note(&mut self.state.model, note);
@@ -136,7 +142,7 @@ impl App {
     }
 
     /// The open panels: studies below, parameters at the left, operations and explanations at the right.
-    fn side_panels(&mut self, ui: &mut egui::Ui, t: &Texts) {
+    fn side_panels(&mut self, ui: &mut egui::Ui, t: &Texts, with_explanation: bool) {
         let sides = *self.state.model.settings.panels();
         if self.state.numerics.shown {
             egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
@@ -161,18 +167,22 @@ impl App {
             });
             name_handle(ui, "numbers", t.panel_width);
         }
-        if sides.is_shown(Side::Explain) {
-            let presenting = self.state.model.settings.presentation;
-            // In a presentation the pictures keep more than half of the width.
-            let (id, share) = if presenting { ("explain in a presentation", 0.45) } else { ("explain", 1.0) };
-            let most = (share * ui.ctx().content_rect().width()).clamp(320.0, 620.0);
-            egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
-                focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
-                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
-                self.explanation(ui);
-            });
-            name_handle(ui, id, t.panel_width);
+        if sides.is_shown(Side::Explain) && with_explanation {
+            self.explanation_panel(ui, t);
         }
+    }
+
+    fn explanation_panel(&mut self, ui: &mut egui::Ui, t: &Texts) {
+        let presenting = self.state.model.settings.presentation;
+        // In a presentation the pictures keep more than half of the width.
+        let (id, share) = if presenting { ("explain in a presentation", 0.45) } else { ("explain", 1.0) };
+        let most = (share * ui.ctx().content_rect().width()).clamp(320.0, 620.0);
+        egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
+            focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
+            tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
+            self.explanation(ui);
+        });
+        name_handle(ui, id, t.panel_width);
     }
 
     /// The chosen explanation. Other features show the exercises, and the matrices in the chosen conventions.
@@ -187,9 +197,13 @@ impl App {
         egui::ScrollArea::vertical().id_salt(("explain", shown)).auto_shrink(false).show(ui, |ui| {
             match shown {
                 Explanation::Exercises => exercises::ui(ui, model, learn),
+                // Nearly each of them prints nearly every number.
+                shown if shown != Explanation::Notes && !model.frame.asked.is_empty() => {
+                    why::asked(ui, model);
+                }
                 _ => why::content(ui, model, explain),
             }
-            if shown == Explanation::Conventions {
+            if shown == Explanation::Conventions && model.frame.asked.is_empty() {
                 let compared = model.settings.conventions.compared;
                 values::list(ui, model, false, compared, |table| table.is_matrix());
             }

@@ -263,7 +263,8 @@ fn controls(lang: Lang) -> Vec<SearchEntry> {
     ]
 }
 
-/// The results, best first: the words begin the title, are in it, or are elsewhere, and then the same by other names.
+/// The results, best first: the word stands in the title as a whole or begins it, the words are in it, or are
+/// elsewhere, and then the same by other names.
 fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[SearchEntry]> {
     let called = also_called(wanted);
     // The ways of shading are its choices.
@@ -275,6 +276,7 @@ fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[SearchEntry]> {
         let is_explained = matches!(entry.target, SearchTarget::Explanation(_));
         let is_shading = entry.target == shading;
         let of_name = |name: &str| match name {
+            name if title.split(|c: char| !c.is_alphanumeric()).any(|word| word == name) => Some(0),
             name if title.starts_with(name) || is_shading && has_words(&whole, name) => Some(0),
             name if has_words(&title, name) || is_explained && has_words(&whole, name) => Some(1),
             name if has_words(&whole, name) => Some(3),
@@ -461,6 +463,14 @@ mod tests {
             (Lang::En, "run time", "Numerics"),
             (Lang::En, "handout", "Handout…"),
             (Lang::En, "worksheet", "Handout…"),
+            (Lang::En, "study", "Numerics"),
+            (Lang::En, "students", "A class…"),
+            (Lang::En, "progress", "Exercises"),
+            (Lang::En, "import", "Open…"),
+            (Lang::En, "gltf", "Open…"),
+            (Lang::En, "frame", "Fit the image"),
+            (Lang::PtBr, "alunos", "Uma turma…"),
+            (Lang::PtBr, "enquadrar", "Ajustar a imagem"),
             (Lang::PtBr, "folha de exercícios", "Lista de exercícios…"),
             (Lang::PtBr, "legenda", "Título e legenda…"),
             (Lang::PtBr, "imagem vazia", "Diagnóstico da câmera"),

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use crate::camera::{Camera, Convention, Ndc};
 use crate::explain::{Matrix, projection_equation};
-use crate::inspect::{Bounds, Report};
+use crate::inspect::quantity::{BasisAxis, Quantity, ReportMatrix, WindowNumber};
+use crate::inspect::{Asked, Bounds, Report};
 use crate::numbers::{self, DecimalMark, without_rests};
 use camera_lab_desk::{Conventions, Model};
 use camera_lab_words::command_line;
@@ -50,7 +51,8 @@ pub(in crate::gui) fn text(model: &Model) -> String {
     let tables = |inverse: bool| tables(t, (model.desk.shown.camera(), &report), inverse, shown);
     let inverses = tables(true).into_iter().filter(|table| table.symbol.contains('⁻'));
     let mut text = String::new();
-    for table in tables(false).into_iter().chain(inverses) {
+    let all = tables(false).into_iter().chain(inverses);
+    for table in all.filter(|table| !table.is_asked(&model.frame.asked)) {
         let title = format!("{} {}", table.symbol, table.name);
         text.push_str(title.trim());
         text.push('\n');
@@ -71,6 +73,8 @@ pub(in crate::gui) struct Table {
     rests: bool,
     /// True if it has other numbers in another convention of NDC.
     pub(in crate::gui) follows_ndc: bool,
+    /// The quantities that it prints.
+    quantities: Vec<Quantity>,
     /// The matrix whose entries these numbers are, by rows from its first.
     of: Option<Matrix>,
     /// Its rows are the matrix's columns.
@@ -79,9 +83,9 @@ pub(in crate::gui) struct Table {
 
 impl Table {
     fn new(symbol: &'static str, name: &str, rows: Vec<(String, Vec<f64>)>) -> Self {
-        let (erratum, of) = (None, None);
-        let symbol = symbol.into();
-        Self { symbol, name: name.to_owned(), rows, erratum, rests: false, follows_ndc: false, of, transposed: false }
+        let (symbol, name) = (symbol.into(), name.to_owned());
+        let (quantities, of) = (Vec::new(), None);
+        Self { symbol, name, rows, erratum: None, rests: false, follows_ndc: false, quantities, of, transposed: false }
     }
 
     /// A matrix. `left_handed`: the effect of the other sign of z_c.
@@ -99,7 +103,19 @@ impl Table {
             symbol = transposed(&symbol).into();
         }
         let rows = rows.iter().map(|row| (String::new(), row.to_vec())).collect();
-        Self { symbol, of: Some(matrix), transposed: shown.row_vectors, ..Self::new("", name, rows) }
+        let printed = ReportMatrix::ALL.iter().find(|of| matrix_of(**of) == matrix);
+        let quantities = printed.iter().map(|matrix| Quantity::Matrix(**matrix)).collect();
+        Self { symbol, of: Some(matrix), transposed: shown.row_vectors, quantities, ..Self::new("", name, rows) }
+    }
+
+    /// True if a question asks for one of its numbers. Then none is printed.
+    pub(in crate::gui) fn is_asked(&self, asked: &Asked) -> bool {
+        let numbers: Vec<f64> = self.rows.iter().flat_map(|(_, values)| values).copied().collect();
+        asked.hides(&self.quantities, &numbers)
+    }
+
+    fn of_quantities(self, quantities: &[Quantity]) -> Self {
+        Self { quantities: quantities.to_vec(), ..self }
     }
 
     /// The entry of a matrix that a number is. `None` if it isn't one.
@@ -188,6 +204,7 @@ pub(in crate::gui) fn tables(
     shown: Conventions,
 ) -> Vec<Table> {
     let w = &r.window;
+    let window: Vec<Quantity> = WindowNumber::ALL.iter().copied().map(Quantity::Window).collect();
     let corner = |i: usize| {
         (
             format!("{} ({})", i + 1, ["l,b,F", "r,b,F", "r,t,F", "l,t,F", "l,b,B", "r,b,B", "r,t,B", "l,t,B"][i]),
@@ -196,10 +213,12 @@ pub(in crate::gui) fn tables(
     };
     let mut tables = vec![
         Table::new("DOP, D", t.dop_name, vec![("DOP".into(), r.dop.to_vec()), ("D".into(), vec![r.distance])])
-            .with_rests(),
+            .with_rests()
+            .of_quantities(&[Quantity::Direction, Quantity::Distance]),
         Table::new("u, v, n", t.basis_name, named(&[("u", r.basis.u), ("v", r.basis.v), ("n", r.basis.n)]))
             .with_rests()
-            .rows_of(Matrix::View),
+            .rows_of(Matrix::View)
+            .of_quantities(&[Quantity::Axis(BasisAxis::U)]),
         Table::new(
             "l r b t",
             t.window_name,
@@ -207,7 +226,8 @@ pub(in crate::gui) fn tables(
                 .into_iter()
                 .chain([("A".into(), vec![w.aspect])])
                 .collect(),
-        ),
+        )
+        .of_quantities(&window),
     ];
     // Entries of M_p can differ by any factor, and each is exact. None is a rounding error of another.
     if inverse {
@@ -227,8 +247,21 @@ pub(in crate::gui) fn tables(
         let product = Table::matrix(Matrix::ViewProjection, &name, r.view_projection_matrix, Mirrored::Nothing, shown);
         tables.extend([view.with_rests(), Table { erratum, ..projection.in_ndc() }, product.in_ndc()]);
     }
-    tables.push(Table::new("", t.corners_name, (0..8).map(corner).collect()).with_rests());
+    tables.push(
+        Table::new("", t.corners_name, (0..8).map(corner).collect()).with_rests().of_quantities(&[Quantity::Corner(0)]),
+    );
     tables
+}
+
+/// The same matrix among the explained ones.
+const fn matrix_of(matrix: ReportMatrix) -> Matrix {
+    match matrix {
+        ReportMatrix::View => Matrix::View,
+        ReportMatrix::Projection => Matrix::Projection,
+        ReportMatrix::ViewProjection => Matrix::ViewProjection,
+        ReportMatrix::InverseView => Matrix::InverseView,
+        ReportMatrix::InverseProjection => Matrix::InverseProjection,
+    }
 }
 
 /// A name with the equation of the notes, or with the convention if that is another.

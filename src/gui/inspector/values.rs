@@ -51,6 +51,10 @@ pub(in crate::gui) fn list(
     let other = other.map(|other| (tables(t, (camera, &other), inverse, shown), ndc_of(&other)));
     let mut asked = None;
     for (i, table) in tables(t, (camera, &report), inverse, shown).iter().enumerate().filter(|(_, t)| is_wanted(t)) {
+        if table.is_asked(&model.frame.asked) {
+            hidden(ui, t, table);
+            continue;
+        }
         let other = other.as_ref().filter(|_| table.follows_ndc);
         asked = show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), model.settings.digits).or(asked);
         // Said once, below M_p.
@@ -83,6 +87,16 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, model: &mut Model) {
         output
     });
     complain(ui, t.lang, [&output.inner]);
+}
+
+/// A table that an open question asks for: its name without its numbers.
+fn hidden(ui: &mut egui::Ui, t: &Texts, table: &Table) {
+    ui.add_space(3.0);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(theme::symbol(ui, &table.symbol));
+        ui.label(RichText::new(&table.name).small().weak());
+        ui.label(t.asked_here).explained(t.asked_hint);
+    });
 }
 
 /// An entry of a matrix.

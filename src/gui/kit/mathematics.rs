@@ -20,10 +20,10 @@ const FONTS: [(&str, &[u8]); 7] = [
     ("Main-Regular", text::ROMAN_BYTES),
     ("Main-Bold", text::BOLD_BYTES),
     ("Math-Italic", text::ITALIC_BYTES),
-    ("Size1-Regular", include_bytes!("../../../assets/fonts/KaTeX_Size1-Regular.ttf")),
-    ("Size2-Regular", include_bytes!("../../../assets/fonts/KaTeX_Size2-Regular.ttf")),
-    ("Size3-Regular", include_bytes!("../../../assets/fonts/KaTeX_Size3-Regular.ttf")),
-    ("Size4-Regular", include_bytes!("../../../assets/fonts/KaTeX_Size4-Regular.ttf")),
+    ("Size1-Regular", font!("KaTeX_Size1-Regular.ttf")),
+    ("Size2-Regular", font!("KaTeX_Size2-Regular.ttf")),
+    ("Size3-Regular", font!("KaTeX_Size3-Regular.ttf")),
+    ("Size4-Regular", font!("KaTeX_Size4-Regular.ttf")),
 ];
 
 /// Makes the fonts known, each as a family of its own.

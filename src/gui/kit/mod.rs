@@ -1,5 +1,17 @@
 //! Widgets without state of the application: fields, formulas, text, tooltips, plots, the theme.
 
+/// A font of the window. A page downloads the same outlines with fewer characters, and without instructions for
+/// hinting (`dist/web/fonts.sh`).
+macro_rules! font {
+    ($name:literal) => {{
+        #[cfg(not(target_arch = "wasm32"))]
+        let bytes = include_bytes!(concat!("../../../assets/fonts/", $name));
+        #[cfg(target_arch = "wasm32")]
+        let bytes = include_bytes!(concat!("../../../assets/fonts/page/", $name));
+        bytes
+    }};
+}
+
 pub(super) mod context_help;
 pub(super) mod dialog_buttons;
 pub(super) mod elide;

@@ -8,18 +8,6 @@ use eframe::egui::{
 use crate::numerics::health::Level;
 use crate::text::{self, runs};
 
-/// A font of the window. A page downloads the same outlines with fewer characters, and without instructions for
-/// hinting (`dist/web/fonts.sh`).
-macro_rules! font {
-    ($name:literal) => {{
-        #[cfg(not(target_arch = "wasm32"))]
-        let bytes = include_bytes!(concat!("../../../assets/fonts/", $name));
-        #[cfg(target_arch = "wasm32")]
-        let bytes = include_bytes!(concat!("../../../assets/fonts/page/", $name));
-        bytes
-    }};
-}
-
 /// Letters for titles and the heads of sections: Latin, Greek and the signs of mathematics.
 const BOLD_BYTES: &[u8] = font!("DejaVuSans-Bold.ttf");
 /// Code and columns of numbers.

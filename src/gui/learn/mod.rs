@@ -17,7 +17,7 @@ use eframe::egui;
 use exercises::state::Exercises;
 use lesson::state::Playing;
 
-use crate::lessons::Lesson;
+use crate::lessons::{Lesson, Task};
 use camera_lab_desk::{Action, Document, Mark, Model, Placing};
 use camera_lab_words::learn::{exercise_window, lessons};
 
@@ -90,6 +90,14 @@ impl Learn {
             Mark::Operation => model.operations.predict.put_mark([x, y]),
             Mark::Ask(ask) => self.exercises.type_into(ask, vec![format!("{x}"), format!("{y}")]),
         }
+    }
+
+    /// True if the exercise of the lesson's step is open.
+    pub(in crate::gui) fn works_on_step(&self) -> bool {
+        let step = self.lesson.as_ref().and_then(|playing| playing.now());
+        let task = step.and_then(|step| step.task.as_ref());
+        let open = self.exercises.open.as_ref();
+        matches!(task, Some(Task::Exercise { id, seed }) if open.is_some_and(|open| open.id == *id && open.seed == *seed))
     }
 
     fn placing_of_question(&mut self, model: &Model) -> Option<Placing> {

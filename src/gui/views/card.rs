@@ -116,6 +116,7 @@ impl Canvas {
         let vertex: Vec<_> = vertex.iter().map(|name| readout::vertex_cell(name, texts)).collect();
         let cells = |digits, mark| {
             let coordinates = readout::cells(probe, depths, &request, (digits, mark), texts);
+            let coordinates = coordinates.into_iter().map(|cell| cell.unless_asked(&model.frame.asked, texts));
             vertex.iter().cloned().chain(coordinates).collect::<Vec<_>>()
         };
         status.cells = cells(digits.min(4), mark);

@@ -6,24 +6,47 @@ use crate::gui::views::pointer::handle_drag::point;
 use crate::gui::views::pointer::keyboard_probe::pixel_of;
 use crate::gui::views::pointer::picking::Depths;
 use crate::gui::views::pointer::vertex_name::VertexName;
+use crate::inspect::Asked;
+use crate::inspect::quantity::{PointNumber, Quantity, RayNumber};
 use crate::numbers::{DecimalMark, significant};
 use crate::pipeline::clip_parts;
 use crate::views::depth::DepthReading;
 use crate::views::{Probe, Request};
+use camera_lab_words::window;
 use camera_lab_words::window::canvas::CanvasTexts;
 use camera_lab_words::window::scenes::preset_object;
 
 /// A space and the coordinates in it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Cell {
     pub(super) space: &'static str,
     pub(super) value: String,
     /// Shown even if there isn't room for all.
     pub(super) wanted: bool,
+    /// The quantity that it prints.
+    quantity: Option<Quantity>,
+    /// Its numbers, if they belong to a point of the scene. The pointer itself passes over any number.
+    numbers: Vec<f64>,
 }
 
 fn wanted(space: &'static str, value: String) -> Cell {
-    Cell { space, value, wanted: true }
+    Cell { space, value, wanted: true, quantity: None, numbers: Vec::new() }
+}
+
+impl Cell {
+    fn of_point(self, number: PointNumber, numbers: &[f64]) -> Self {
+        Self { quantity: Some(Quantity::Point(0, number)), numbers: numbers.to_vec(), ..self }
+    }
+
+    fn of_ray(self, number: RayNumber) -> Self {
+        Self { quantity: Some(Quantity::Ray(0, number)), ..self }
+    }
+
+    /// The cell, without its value while a question asks for it.
+    pub(super) fn unless_asked(self, asked: &Asked, texts: &CanvasTexts) -> Self {
+        let is_asked = self.quantity.is_some_and(|quantity| asked.hides(&[quantity], &self.numbers));
+        if is_asked { Self { value: window::texts(texts.lang).asked_here.to_owned(), ..self } } else { self }
+    }
 }
 
 /// The coordinates of a probe in every space, in the order of the pipeline.
@@ -35,41 +58,47 @@ pub(super) fn cells(
     texts: &CanvasTexts,
 ) -> Vec<Cell> {
     let (look, camera) = (&request.shot.look, &request.camera);
-    let other = |space, value| Cell { space, value, wanted: false };
+    let other = |space, value| Cell { wanted: false, ..wanted(space, value) };
+    use PointNumber::{Clip, Inside, Ndc, Pixel, View, Viewport, Window, World};
     match probe {
         Probe::Point(p) => {
             let s = camera.possible_clip_space(request.shot.ndc).stations(p, look.image, &look.viewport);
             let mut cells = vec![
-                wanted(texts.space_world, point(p, digits, mark)),
-                other(texts.space_view, point(s.view, digits, mark)),
-                other(texts.space_clip, mark.tuple(&s.clip.to_array(), digits)),
+                wanted(texts.space_world, point(p, digits, mark)).of_point(World, &p.to_array()),
+                other(texts.space_view, point(s.view, digits, mark)).of_point(View, &s.view.to_array()),
+                other(texts.space_clip, mark.tuple(&s.clip.to_array(), digits)).of_point(Clip, &s.clip.to_array()),
             ];
             if look.reveal.clipping {
-                cells.extend(clipping_cells(p, request, (digits, mark), texts));
+                cells.extend(clipping_cells(p, request, (digits, mark), texts).map(|cell| cell.of_point(Inside, &[])));
             }
             let Some(crate::camera::Projected { ndc, window, pixel, viewport }) = s.projected else {
                 cells.push(wanted(texts.space_ndc, texts.no_image.to_owned()));
                 return cells;
             };
             let outside = if s.inside { String::new() } else { format!(" {}", texts.outside) };
-            cells.push(wanted(texts.space_ndc, format!("{}{outside}", point(ndc, digits, mark))));
-            cells.push(other(texts.space_window, pair(window, digits, mark)));
-            cells.push(wanted(texts.space_pixel, pair(pixel, digits.max(6), mark)));
+            cells.push(
+                wanted(texts.space_ndc, format!("{}{outside}", point(ndc, digits, mark)))
+                    .of_point(Ndc, &ndc.to_array()),
+            );
+            cells.push(other(texts.space_window, pair(window, digits, mark)).of_point(Window, &window.to_array()));
+            cells.push(wanted(texts.space_pixel, pair(pixel, digits.max(6), mark)).of_point(Pixel, &pixel.to_array()));
             let [x, y] = [viewport.x, viewport.y].map(|v| significant(v, digits.max(6)));
             let (x, y, z) = (mark.printed(&x), mark.printed(&y), mark.number(viewport.z, digits));
-            cells.push(other(texts.space_viewport, format!("({})", [x, y, z].join(mark.separator()))));
+            let viewport_numbers = [viewport.x, viewport.y, viewport.z];
+            let viewport = other(texts.space_viewport, format!("({})", [x, y, z].join(mark.separator())));
+            cells.push(viewport.of_point(Viewport, &viewport_numbers));
             cells
         }
         Probe::Window(w) => {
             let ray = camera.ray_through_window(w);
             let mut cells = vec![
-                wanted(texts.space_pixel, pair(pixel_of(look.image, camera, w), 17, mark)),
-                other(texts.space_window, pair(w, digits, mark)),
+                wanted(texts.space_pixel, pair(pixel_of(look.image, camera, w), 17, mark)).of_ray(RayNumber::Pixel),
+                other(texts.space_window, pair(w, digits, mark)).of_ray(RayNumber::Pixel),
             ];
             cells.extend(depth_cells(depths, (digits, mark), texts));
             let ray_cell = |space, p| Cell { wanted: depths.is_none(), ..other(space, point(p, digits, mark)) };
-            cells.push(ray_cell(texts.ray_origin, ray.origin));
-            cells.push(ray_cell(texts.ray_direction, ray.direction));
+            cells.push(ray_cell(texts.ray_origin, ray.origin).of_ray(RayNumber::Origin));
+            cells.push(ray_cell(texts.ray_direction, ray.direction).of_ray(RayNumber::Direction));
             cells
         }
     }
@@ -108,9 +137,10 @@ fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), tex
         None => Vec::new(),
         Some(None) => vec![wanted(texts.depth, texts.nothing_here.to_owned())],
         Some(Some(DepthReading { z, ndc_z, distance })) => vec![
-            wanted(texts.depth, format!("Z = {}", mark.number(z, digits))),
-            wanted(texts.space_ndc, format!("z_n = {}", mark.number(ndc_z, digits))),
-            wanted(texts.distance, format!("−z_c = {}", mark.number(distance, digits))),
+            wanted(texts.depth, format!("Z = {}", mark.number(z, digits))).of_point(PointNumber::Viewport, &[]),
+            wanted(texts.space_ndc, format!("z_n = {}", mark.number(ndc_z, digits))).of_point(PointNumber::Ndc, &[]),
+            wanted(texts.distance, format!("−z_c = {}", mark.number(distance, digits)))
+                .of_point(PointNumber::View, &[]),
         ],
     }
 }

@@ -159,7 +159,7 @@ pub(super) fn head(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
         }
     });
     ui.add_space(2.0);
-    if let Some(head) = row(model).and_then(|row| row.head) {
+    if let Some(head) = row(model).and_then(|row| row.head).filter(|_| model.frame.asked.is_empty()) {
         head(ui, model, explain);
         ui.separator();
     }
@@ -170,6 +170,13 @@ pub(super) fn content(ui: &mut Ui, model: &mut Model, explain: &mut Explain) {
     if let Some(row) = row(model) {
         (row.content)(ui, model, explain);
     }
+}
+
+/// In place of an explanation whose numbers an open question asks for.
+pub(super) fn asked(ui: &mut Ui, model: &Model) {
+    let t = camera_lab_words::window::texts(model.settings.lang);
+    ui.label(RichText::new(t.asked_here).strong());
+    ui.label(t.asked_hint);
 }
 
 /// Beside the name of a question on its button, in points.

@@ -10,18 +10,26 @@ use skrifa::{FontRef, GlyphId, MetadataProvider};
 
 use super::{Element, runs};
 
+/// A font. A page downloads one with fewer characters of the same outlines, and without instructions for hinting
+/// (`dist/web/fonts.sh`).
+macro_rules! font {
+    ($name:literal) => {{
+        #[cfg(not(target_arch = "wasm32"))]
+        let bytes = include_bytes!(concat!("../../fonts/", $name));
+        #[cfg(target_arch = "wasm32")]
+        let bytes = include_bytes!(concat!("../../fonts/page/", $name));
+        bytes
+    }};
+}
+
 /// `DejaVu Sans`: free licence (beside it), Latin with accents, Greek, arrows and mathematical signs.
-#[cfg(not(target_arch = "wasm32"))]
-pub static FONT_BYTES: &[u8] = include_bytes!("../../fonts/DejaVuSans.ttf");
-/// `DejaVu Sans` with fewer characters of the same outlines, because a page downloads it (`dist/web/fonts.sh`).
-#[cfg(target_arch = "wasm32")]
-pub static FONT_BYTES: &[u8] = include_bytes!("../../fonts/page/DejaVuSans.ttf");
+pub static FONT_BYTES: &[u8] = font!("DejaVuSans.ttf");
 /// The letters of mathematics, those of `KaTeX`: free licence (beside them).
-pub const ROMAN_BYTES: &[u8] = include_bytes!("../../fonts/KaTeX_Main-Regular.ttf");
+pub const ROMAN_BYTES: &[u8] = font!("KaTeX_Main-Regular.ttf");
 /// Vectors.
-pub const BOLD_BYTES: &[u8] = include_bytes!("../../fonts/KaTeX_Main-Bold.ttf");
+pub const BOLD_BYTES: &[u8] = font!("KaTeX_Main-Bold.ttf");
 /// Other symbols.
-pub const ITALIC_BYTES: &[u8] = include_bytes!("../../fonts/KaTeX_Math-Italic.ttf");
+pub const ITALIC_BYTES: &[u8] = font!("KaTeX_Math-Italic.ttf");
 
 /// The font of a letter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

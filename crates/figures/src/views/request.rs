@@ -12,6 +12,8 @@ use super::{
 use crate::camera::{Camera, Decomposition, Operation};
 use crate::figure::{Figure, Measured, Observer, ShownStep};
 use crate::geometry::Aabb;
+use crate::inspect::quantity::Quantity;
+use crate::numbers::DecimalMark;
 use crate::pipeline::Output;
 use crate::scene::Scene;
 use crate::stage::Stage;
@@ -166,6 +168,21 @@ impl Request {
     pub fn probe(&self) -> Option<Probe> {
         let pinned = self.shot.show.probe.map(|probe| Probe::of(probe, &self.camera, self.shot.look.image));
         pinned.or(self.hover.probe)
+    }
+
+    /// The numbers of quantities in a label, as `write` puts them, or a question mark while a question asks for one.
+    pub(super) fn written(
+        &self,
+        quantities: &[Quantity],
+        numbers: &[f64],
+        write: impl FnOnce(DecimalMark) -> String,
+    ) -> String {
+        if self.shot.asked.hides(quantities, numbers) { "?".to_owned() } else { write(self.labels.mark) }
+    }
+
+    /// A number in a label, or a question mark.
+    pub(super) fn number(&self, quantity: Quantity, value: f64) -> String {
+        self.written(&[quantity], &[value], |mark| mark.number(value, 4))
     }
 
     /// The lengths, angles and coordinates that light up in the world.

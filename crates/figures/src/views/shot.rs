@@ -11,6 +11,7 @@ use crate::camera::{Camera, ImageSize, Ndc, Viewport};
 use crate::figure::{
     Comparison, Depth, Figure, Labels, NamedPoint, OtherSide, Outside, Reveal, Show, StagePicture, WorldLook,
 };
+use crate::inspect::Asked;
 use crate::scene::SceneSpec;
 use crate::scene::edit::{object_named, placements};
 use crate::scene::transform::Trs;
@@ -41,6 +42,8 @@ pub struct Shot {
     pub measured_object: Option<ObjectTransform>,
     /// The same in another way, beside it.
     pub compared: Option<Arc<Compared>>,
+    /// The quantities that labels don't print.
+    pub asked: Asked,
 }
 
 /// The other side of a shot.
@@ -122,6 +125,7 @@ impl Shot {
             labels: figure.labels.clone(),
             show,
             compared: None,
+            asked: Asked::default(),
         }
     }
 
@@ -179,6 +183,7 @@ impl Shot {
             cameras: if in_world { Arc::clone(&self.cameras) } else { Arc::default() },
             measured_object: self.measured_object.filter(|_| in_world),
             compared: None,
+            asked: self.asked.clone(),
         };
         let compared = self.compared.as_ref().and_then(|compared| compared.seen_in(view, &seen));
         Self { compared: compared.map(Arc::new), ..seen }

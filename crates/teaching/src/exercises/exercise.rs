@@ -17,6 +17,7 @@ use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::nature::Nature;
 use crate::exercises::mistakes::slip::{Slip, Slips};
 use crate::figure::{Figure, Localized};
+use crate::inspect::Asked;
 use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
 
 /// An exercise with its numbers.
@@ -136,17 +137,23 @@ pub struct Ask {
     pub whole: bool,
     /// A place in the image: two numbers, pixels from its left edge and from its upper one.
     pub places: bool,
+    /// After a wrong first mark, a second place to mark, whose name is [`SECOND`](super::SECOND).
+    pub second: Option<Box<Self>>,
     /// Columns are points, in any order.
     pub any_order: bool,
     /// Slips in steps that the question doesn't contain, because it gives their result or needs none.
     pub not_asked: fn(Slip) -> bool,
     /// The path to the right answer in the report of the exercise's subject, if it has one.
     pub quantity: Option<QuantityPath>,
+    /// The quantities that it asks for besides, which an author names.
+    pub asks: Vec<Quantity>,
     /// The readings of the question. An answer is right if it's right in one of them. The first follows from the
     /// assumptions. The others have the name of their text.
     pub readings: Vec<Reading>,
     /// The texts of a lecturer's choices, by their names.
     pub own_choices: BTreeMap<String, Localized>,
+    /// The sentence on the right answer, once it's given.
+    pub because: Option<Localized>,
     /// Wrong answers that a lecturer expects.
     pub own_mistakes: Vec<Arc<OwnMistake>>,
     /// The ways to the answer from other answers.
@@ -276,6 +283,21 @@ fn tolerance_of(table: &Table) -> f64 {
 }
 
 impl Ask {
+    /// Adds what it asks for: the quantity of its answer, those that its author names, and the numbers of the answer.
+    /// A camera to find isn't a secret, because its parameters are what the answer sets.
+    pub fn add_to(&self, asked: &mut Asked, statement: &str) {
+        let expected = self.readings.iter().map(|reading| &reading.expected);
+        let quantities = expected.clone().filter_map(|expected| match expected {
+            Expected::Quantity(_, path) => Some(path.quantity),
+            // Its coordinates tell where it is.
+            Expected::Computed(..) if self.places => Some(Quantity::Point(0, PointNumber::Inside)),
+            Expected::Computed(..) | Expected::Choice(..) | Expected::Camera(..) => None,
+        });
+        let numbers = expected.clone().filter(|_| !self.places).filter_map(Expected::table);
+        let numbers: Vec<f64> = numbers.flat_map(|table| table.entries).collect();
+        asked.add(quantities.chain(self.asks.iter().copied()), &numbers, statement);
+    }
+
     fn new(name: &str, kind: Kind, expected: Expected) -> Self {
         let tolerance = expected.table().map_or(TOLERANCE, |right| tolerance_of(&right));
         Self {
@@ -287,11 +309,14 @@ impl Ask {
             share: TOLERANCE,
             whole: false,
             places: false,
+            second: None,
             any_order: false,
             not_asked: |_| false,
             quantity: None,
+            asks: Vec::new(),
             readings: vec![Reading { name: "", expected }],
             own_choices: BTreeMap::new(),
+            because: None,
             own_mistakes: Vec::new(),
             follows: Vec::new(),
             way: None,

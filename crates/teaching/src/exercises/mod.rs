@@ -80,6 +80,9 @@ enum Make {
     Own(Arc<Exercise>),
 }
 
+/// The name of the second place of a question for a mark.
+pub const SECOND: &str = "second";
+
 /// Numbers that the notes leave open and an answer chooses: F, B, D, M.
 pub type Free = std::collections::BTreeMap<String, f64>;
 

@@ -65,7 +65,7 @@ fn slipped(operation: Operation, slips: Slips) -> Operation {
             let both = slips.any(&[Slip::OppositePan, Slip::UReversed]);
             let dx = if both || slips.has(Slip::UReversedAlone) { -dx } else { dx };
             let dy = if both || slips.has(Slip::VReversed) { -dy } else { dy };
-            Operation::Pan { dx, dy }
+            if slips.has(Slip::AxesExchanged) { Operation::Pan { dx: dy, dy: dx } } else { Operation::Pan { dx, dy } }
         }
         other => other,
     }
@@ -94,6 +94,15 @@ fn otherwise(camera: &Camera, operation: Operation, slips: Slips) -> Option<Para
         }
         Operation::Dolly(factor) if slips.has(Slip::ThroughOrigin) => {
             Some(Parameters { position: position / factor, ..before })
+        }
+        Operation::Dolly(factor) if slips.has(Slip::WayForDistance) && factor > 1.0 => {
+            Some(Parameters { position: position + (focal_point - position) / factor, ..before })
+        }
+        Operation::Pan { dx, dy } if slips.any(&[Slip::UnitViewUpAsV, Slip::ViewUpAsV]) => {
+            let up = before.view_up;
+            let up = if slips.has(Slip::UnitViewUpAsV) { up.normalize() } else { up };
+            let by = camera.basis().u * dx + up * dy;
+            Some(Parameters { position: position + by, focal_point: focal_point + by, ..before })
         }
         Operation::Pan { dx, dy } if slips.has(Slip::ViewAsWorld) => {
             let by = DVec3::new(dx, dy, 0.0);
@@ -142,8 +151,22 @@ fn turned(camera: &Camera, operation: Operation, slips: Slips) -> Option<Paramet
         let after = operation.apply(camera, Convention::RightHand).ok()?;
         return Some(Parameters { view_up: before.view_up, ..*after.parameters() });
     }
-    if is_roll && slips.any(&[Slip::PointsExchanged, Slip::TurnedInPlace]) {
+    let of_point = [Slip::PointsExchanged, Slip::TurnedInPlace, Slip::CentreNotAddedBack, Slip::DistanceLeftOut];
+    if is_roll && slips.any(&of_point) {
         return None;
+    }
+    let shortened = slips.pick(
+        [(Slip::CentreNotAddedBack, Some([0.0, 1.0])), (Slip::DistanceLeftOut, Some([1.0, 1.0 / camera.distance()]))],
+        None,
+    );
+    if let Some([of_centre, of_vector]) = shortened {
+        let after = *operation.apply(camera, Convention::RightHand).ok()?.parameters();
+        let shortened = |centre: DVec3, moved: DVec3| centre * of_centre + (moved - centre) * of_vector;
+        return Some(if is_elevation || matches!(operation, Operation::Azimuth(_)) {
+            Parameters { position: shortened(before.focal_point, after.position), ..after }
+        } else {
+            Parameters { focal_point: shortened(before.position, after.focal_point), ..after }
+        });
     }
     if slips.has(Slip::TurnedInPlace) {
         return Some(before);

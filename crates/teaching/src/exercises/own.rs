@@ -8,7 +8,7 @@ use super::own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
 use super::statement_facts::about;
 use super::subject::Subject;
 use super::value::Table;
-use super::{Entry, Make, place};
+use super::{Entry, Make, SECOND, place};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::slip::Slip;
 use crate::figure::error::{Allowed, Problem};
@@ -34,6 +34,7 @@ impl Entry {
         }
         for ask in &mut exercise.asks {
             ask.own_choices.values_mut().try_for_each(&mut change)?;
+            ask.because.iter_mut().try_for_each(&mut change)?;
             for mistake in &mut ask.own_mistakes {
                 let mistake = Arc::make_mut(mistake);
                 change(&mut mistake.message)?;
@@ -246,12 +247,22 @@ fn ask(
     let unit = section.choice("unit", UNITS);
     let whole = section.is_present("whole").then(|| section.get("whole", &SWITCH).unwrap_or(false));
     let tolerance = section.is_present("tolerance").then(|| section.get("tolerance", &POSITIVE).unwrap_or(1.0));
+    let hidden = section.list("asks", Allowed::Quantity, QuantityPath::of);
+    let because = section.told("because").and_then(|texts| harmless(&mut section, "because", texts));
     let (choices, own_choices) = choices(&mut section);
     let ask = asked(&mut section, &name, subjects, choices, unit);
+    let mut second = None;
+    if ask.as_ref().is_some_and(|ask| ask.places) && section.is_present(SECOND) {
+        let mut section = section.section(SECOND, "second.");
+        texts.asks.insert(SECOND.to_owned(), told(&mut section, "text"));
+        second = place::asked(&mut section, SECOND, subjects[0], subjects[1]).map(Box::new);
+        faults.extend(section.finish());
+    }
     let mistakes = section.sections("mistake", "[[ask.mistake]]");
     faults.extend(section.finish());
     let mut ask = ask?;
-    ask.own_choices = own_choices;
+    (ask.own_choices, ask.because, ask.second) = (own_choices, because, second);
+    ask.asks = hidden.into_iter().map(|path| path.quantity).collect();
     ask.unit = unit.unwrap_or(ask.unit);
     ask.whole = whole.unwrap_or(ask.whole);
     if let Some(tolerance) = tolerance {

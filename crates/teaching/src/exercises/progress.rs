@@ -66,6 +66,8 @@ pub struct Guess {
     pub said: String,
     /// It was right.
     pub right: bool,
+    /// The student was sure of it; `None` if they didn't say.
+    pub sure: Option<bool>,
     /// When it was made, in seconds since the beginning of 1970.
     pub at: u64,
 }
@@ -117,6 +119,8 @@ pub struct Next {
 /// The reason why an exercise is next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Why {
+    /// It practises a question of a lesson, to which a guess was wrong though the student was sure.
+    Sure,
     /// It practises this mistake, which was made this many times, and more often than other open ones.
     Mistake(Mistake, u32),
     /// It was begun last, and isn't solved.
@@ -298,6 +302,34 @@ impl Progress {
         }
         let last = |entry: &&&Entry| self.tried(&entry.id).and_then(|tried| tried.last).filter(|last| *last <= now);
         entries.iter().min_by_key(last).map(|entry| self.next(entry, Why::LongestAgo))
+    }
+
+    /// The family that practises the last guess that was wrong though the student was sure, unless it has been solved
+    /// since. `family` gives the family that comes after a question of a lesson.
+    fn sure_and_wrong<'a>(&self, entries: &[&'a Entry], family: fn(&str) -> Option<&'static str>) -> Option<&'a Entry> {
+        let mut wrong: Vec<(&str, &Guess)> =
+            self.guesses().filter(|(_, guess)| guess.sure == Some(true) && !guess.right).collect();
+        wrong.sort_by_key(|(_, guess)| std::cmp::Reverse(guess.at));
+        wrong.into_iter().find_map(|(question, guess)| {
+            let family = family(question)?;
+            let is_solved = self.tried(family).and_then(|tried| tried.solved_at).is_some_and(|at| at > guess.at);
+            entries.iter().find(|entry| entry.id == family && !is_solved).copied()
+        })
+    }
+
+    /// As [`practise_next`](Self::practise_next), but a mistake that the student was sure of comes first. `family`
+    /// gives the family that comes after a question of a lesson.
+    pub fn practise_after<'a>(
+        &self,
+        entries: impl IntoIterator<Item = &'a Entry>,
+        now: u64,
+        family: fn(&str) -> Option<&'static str>,
+    ) -> Option<Next> {
+        let entries: Vec<&Entry> = entries.into_iter().collect();
+        match self.sure_and_wrong(&entries, family) {
+            Some(entry) => Some(self.next(entry, Why::Sure)),
+            None => self.practise_next(entries, now),
+        }
     }
 
     /// Seconds since the time at which a solved exercise comes back, and days since it was solved; `None` before that

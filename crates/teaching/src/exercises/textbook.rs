@@ -56,7 +56,7 @@ impl<'a> Textbook<'a> {
     fn at(&self, quantity: Quantity) -> Option<Table> {
         let (parameters, slips) = (self.camera.parameters(), self.slips);
         // These concern the formula of the point that moves.
-        let of_point = [Slip::PointsExchanged, Slip::TurnedInPlace];
+        let of_point = [Slip::PointsExchanged, Slip::TurnedInPlace, Slip::CentreNotAddedBack, Slip::DistanceLeftOut];
         if slips.any(&of_point)
             && !matches!(quantity, Quantity::Camera(ParameterKey::Position | ParameterKey::FocalPoint))
         {
@@ -83,7 +83,13 @@ impl<'a> Textbook<'a> {
             Quantity::Camera(ParameterKey::ViewUp) => parameters.view_up.into(),
             Quantity::Camera(ParameterKey::ViewAngle) => {
                 let angle = parameters.view_angle;
-                (if slips.has(Slip::AnswerInRadians) { angle.to_radians() } else { angle }).into()
+                let over_near = 2.0 * (angle / 2.0).to_radians().tan();
+                let wrong = [
+                    (Slip::AnswerInRadians, angle.to_radians()),
+                    (Slip::AngleHalved, angle / 2.0),
+                    (Slip::AngleOfHeight, over_near.atan().to_degrees()),
+                ];
+                slips.pick(wrong, angle).into()
             }
             Quantity::Camera(ParameterKey::Height) => self.window.height().into(),
             Quantity::Camera(ParameterKey::Aspect | ParameterKey::Near | ParameterKey::Far | ParameterKey::Window)
@@ -102,11 +108,13 @@ impl<'a> Textbook<'a> {
         let (near, far) = (self.near, self.far);
         let is_perspective = self.projection() == Projection::Perspective;
         let [x, y] = [rows.x_axis.x, rows.y_axis.y];
-        let scale = if is_perspective && self.slips.has(Slip::NearFarExchanged) {
+        let scale = if self.is_symmetric() && self.slips.has(Slip::AspectOnOther) {
+            [y, x]
+        } else if is_perspective && self.slips.has(Slip::NearFarExchanged) {
             [x * far / near, y * far / near]
         } else if !is_perspective && self.slips.has(Slip::PerspectiveScale) {
             [x * near, y * near]
-        } else if is_perspective && self.is_symmetric() && self.slips.has(Slip::ScaleInverted) {
+        } else if self.is_symmetric() && self.slips.has(Slip::ScaleInverted) {
             [1.0 / x, 1.0 / y]
         } else if is_perspective && self.is_symmetric() && self.slips.has(Slip::TangentForCotangent) {
             [x / (y * y), 1.0 / y]
@@ -118,7 +126,25 @@ impl<'a> Textbook<'a> {
             // B − F turns round; B + F and B F don't.
             rows.z_axis = -rows.z_axis;
         }
-        if self.slips.has(Slip::OtherLastRow) {
+        let others = projection_matrix(
+            self.camera,
+            &self.window,
+            self.subject.figure.image.height,
+            self.slips.and(Slip::ProjectionsExchanged),
+        );
+        if self.slips.any(&[Slip::OtherDepthRow, Slip::OtherLastRows]) {
+            rows.z_axis = others.row(2);
+        }
+        if self.slips.has(Slip::LastRowsExchanged) {
+            (rows.z_axis, rows.w_axis) = (rows.w_axis, rows.z_axis);
+        }
+        if !is_perspective && self.slips.has(Slip::ShiftNotScaled) {
+            let ViewWindow { left, right, bottom, top } = self.window;
+            rows.x_axis.w = -f64::midpoint(left, right);
+            rows.y_axis.w = -f64::midpoint(bottom, top);
+            rows.z_axis.w = f64::midpoint(near, far);
+        }
+        if self.slips.any(&[Slip::OtherLastRow, Slip::OtherLastRows]) {
             rows.w_axis = if is_perspective { DVec4::W } else { DVec4::NEG_Z };
         }
         rows.transpose()
@@ -170,6 +196,13 @@ impl<'a> Textbook<'a> {
         let seen = if self.slips.has(Slip::ViewDepthSign) { DVec4::new(seen.x, seen.y, -seen.z, 1.0) } else { seen };
         let clip = self.projection * seen;
         let ndc = if self.slips.has(Slip::NoDivide) { clip.truncate() } else { clip.truncate() / clip.w };
+        let linear = -2.0 * (seen.z + self.near) / (self.far - self.near) - 1.0;
+        let in_perspective = self.projection() == Projection::Perspective;
+        let z = self.slips.pick(
+            [(Slip::DepthNotDivided, clip.z), (Slip::LinearDepth, if in_perspective { linear } else { ndc.z })],
+            ndc.z,
+        );
+        let ndc = ndc.truncate().extend(z);
         Some(match number {
             PointNumber::World => world.into(),
             PointNumber::View if self.slips.has(Slip::ViewForgotten) => return None,
@@ -202,6 +235,7 @@ impl<'a> Textbook<'a> {
     fn projected(&self, seen: DVec3) -> DVec2 {
         let in_perspective = self.projection() == Projection::Perspective && !self.slips.has(Slip::NoDivide);
         let depth = if self.slips.any(&[Slip::WSign, Slip::LeftHanded]) { seen.z } else { -seen.z };
+        let depth = if self.slips.has(Slip::DistanceAsDepth) { seen.length() } else { depth };
         seen.truncate() * if in_perspective { self.near_of_window() / depth } else { 1.0 }
     }
 
@@ -221,6 +255,7 @@ impl<'a> Textbook<'a> {
         let ImageSize { width, height } = self.subject.figure.image;
         let [m, n] = self.sizes(width, height);
         let ViewWindow { left, right, bottom, top } = self.window;
+        let (left, top) = if self.slips.has(Slip::ImageMiddleForgotten) { (0.0, 0.0) } else { (left, top) };
         let across = if self.slips.has(Slip::XFlipped) { right - window.x } else { window.x - left };
         let i = self.floored(m * (across / self.window.width()));
         let share = if self.slips.has(Slip::YNotFlipped) { window.y - bottom } else { top - window.y };
@@ -234,9 +269,10 @@ impl<'a> Textbook<'a> {
             figure.viewport.unwrap_or_else(|| Viewport::whole(figure.image));
         let up = if self.slips.has(Slip::YNotFlipped) { -ndc.y } else { ndc.y };
         let [width, height] = self.sizes(width, height);
+        let halves = if self.slips.has(Slip::ViewportWhole) { 1.0 } else { 2.0 };
         let starts = if self.slips.has(Slip::OffsetIgnored) { [0.0; 2] } else { [x, y].map(f64::from) };
         let [x, y] = [(starts[0], width, ndc.x), (starts[1], height, up)]
-            .map(|(start, size, n)| self.floored(size / 2.0 * (n + 1.0)) + start);
+            .map(|(start, size, n)| self.floored(size / halves * (n + 1.0)) + start);
         let z = self.slips.pick(
             [(Slip::DepthNotMapped, ndc.z), (Slip::DepthRangeIgnored, f64::midpoint(ndc.z, 1.0))],
             (depth_far - depth_near) / 2.0 * ndc.z + f64::midpoint(depth_far, depth_near),
@@ -252,9 +288,11 @@ impl<'a> Textbook<'a> {
         let half = if slips.has(Slip::OneBased) { half - 1.0 } else { half };
         let [i, j] = if slips.has(Slip::ColumnsAndRows) { [j, i] } else { [i, j] };
         let along = self.window.width() * (i as f64 + half) / m;
-        let x = if slips.has(Slip::XFlipped) { self.window.right - along } else { self.window.left + along };
+        let ViewWindow { left, right, bottom, top } = self.window;
+        let (left, top) = if slips.has(Slip::ImageMiddleForgotten) { (0.0, 0.0) } else { (left, top) };
+        let x = if slips.has(Slip::XFlipped) { right - along } else { left + along };
         let down = self.window.height() * (j as f64 + half) / n;
-        let y = if slips.has(Slip::YNotFlipped) { self.window.bottom + down } else { self.window.top - down };
+        let y = if slips.has(Slip::YNotFlipped) { bottom + down } else { top - down };
         let in_perspective = self.projection() == Projection::Perspective;
         if slips.has(Slip::ViewGiven) {
             let (on_window, keeps) = (DVec3::new(x, y, -self.near), slips.has(Slip::RayNotNormalised));
@@ -281,7 +319,14 @@ impl<'a> Textbook<'a> {
                 (position + across + forward * self.near).into()
             }
             RayNumber::Origin if in_perspective => position.into(),
+            RayNumber::Origin if slips.has(Slip::EyeForgotten) => across.into(),
             RayNumber::Origin => (position + across).into(),
+            RayNumber::Direction if in_perspective && slips.has(Slip::PointAsDirection) => {
+                (position + across + forward * self.near).normalize_or_zero().into()
+            }
+            RayNumber::Direction if in_perspective && slips.has(Slip::VrcPointFromEye) => {
+                (DVec3::new(x, y, -self.near) - position).normalize_or_zero().into()
+            }
             RayNumber::Direction if in_perspective => {
                 let direction = across + forward * self.near_of_window();
                 let direction = if slips.has(Slip::RayReversed) { -direction } else { direction };
@@ -311,6 +356,7 @@ fn whole(x: f64) -> f64 {
 /// **u**, **v**, **n**, `[0]` (5.3).
 fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
     let to_viewer = camera.position() - camera.focal_point();
+    let to_viewer = if slips.has(Slip::FocalPointForgotten) { camera.position() } else { to_viewer };
     let to_viewer = if slips.has(Slip::NReversed) { -to_viewer } else { to_viewer };
     let up = camera.view_up();
     let all = slips.has(Slip::NothingNormalised);
@@ -324,6 +370,7 @@ fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
     let u = if slips.has(Slip::UNotNormalisedAlone) { up.cross(made_from) } else { u };
     let u = if slips.has(Slip::UReversedAlone) { -u } else { u };
     let v = if slips.has(Slip::VReversed) { -v } else { v };
+    let [u, v] = if slips.has(Slip::AxesExchanged) { [v, u] } else { [u, v] };
     [u, v, if slips.has(Slip::NReversedAlone) { -n } else { n }]
 }
 
@@ -392,6 +439,10 @@ pub(super) fn view_matrix([u, v, n]: [DVec3; 3], position: DVec3, slips: Slips) 
         let exchanged = DMat3::from_cols(v, u, n).transpose();
         return DMat4::from_mat3_translation(exchanged, DVec3::new(last.y, last.x, last.z));
     }
+    if slips.has(Slip::RowsReversed) {
+        let reversed = DMat3::from_cols(n, v, u).transpose();
+        return DMat4::from_mat3_translation(reversed, DVec3::new(last.z, last.y, last.x));
+    }
     let view = DMat4::from_mat3_translation(rotation, last);
     if slips.has(Slip::TranslationInRow) {
         return DMat4::from_mat3(rotation) * DMat4::from_translation(last).transpose();
@@ -444,19 +495,27 @@ fn projection_matrix(camera: &Camera, window: &ViewWindow, rows: u32, slips: Sli
         Projection::Perspective if slips.has(Slip::PrintedScale) => f64::from(rows),
         Projection::Perspective => near,
     };
-    let [x, y] =
-        if slips.has(Slip::WindowAsNdc) { [along; 2] } else { [twice * along / width, twice * along / height] };
+    let sums = [right + left, top + bottom];
+    let sizes = if slips.any(&[Slip::SidesAdded, Slip::SidesAddedInScale]) { sums } else { [width, height] };
+    let [x, y] = if slips.has(Slip::WindowAsNdc) { [along; 2] } else { sizes.map(|size| twice * along / size) };
     let end = if slips.has(Slip::PrintedLastRow) { 0.0 } else { 1.0 };
+    let [across, up] = if slips.has(Slip::SidesAdded) { sums } else { [width, height] };
+    let middle =
+        |sum: f64, size: f64| slips.pick([(Slip::MiddleForgotten, 0.0), (Slip::MiddleNotDivided, sum)], sum / size);
+    let middles = [middle(sums[0], across), middle(sums[1], up)];
+    let in_third = (projection == Projection::Perspective) != slips.has(Slip::MiddleInOtherColumn);
+    let middles = if projection == Projection::Perspective { middles } else { middles.map(|middle| -middle) };
+    let (third, fourth) = if in_third { (middles, [0.0; 2]) } else { ([0.0; 2], middles) };
     let rows = match projection {
         Projection::Perspective => [
-            [x, 0.0, (right + left) / width, 0.0],
-            [0.0, y, (top + bottom) / height, 0.0],
+            [x, 0.0, third[0], fourth[0]],
+            [0.0, y, third[1], fourth[1]],
             [0.0, 0.0, scale, shift],
             [0.0, 0.0, last, 0.0],
         ],
         Projection::Parallel => [
-            [x, 0.0, 0.0, -(right + left) / width],
-            [0.0, y, 0.0, -(top + bottom) / height],
+            [x, 0.0, third[0], fourth[0]],
+            [0.0, y, third[1], fourth[1]],
             [0.0, 0.0, scale, shift],
             [0.0, 0.0, 0.0, end],
         ],

@@ -63,6 +63,19 @@ pub fn in_order_of_lessons<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> 
     entries
 }
 
+/// The family that a lesson of the program comes to after a question, by the question's identifier. `None` for other
+/// questions.
+pub fn family_after(question: &str) -> Option<&'static str> {
+    let is_it = |step: &Step| matches!(&step.task, Some(Task::Question(entry)) if entry.id == question);
+    shipped().iter().find_map(|shipped| {
+        let steps = &shipped.lesson.steps;
+        let at = steps.iter().position(is_it)?;
+        let later = steps[at..].iter().flat_map(|step| asked(step).into_iter().chain(linked(step)));
+        let mut all = later.chain(exercises_of(&shipped.lesson));
+        all.find(|id| exercises::entry(id).is_some_and(|entry| entry.is_family))
+    })
+}
+
 /// The exercise that a step asks.
 fn asked(step: &Step) -> Option<&str> {
     match &step.task {

@@ -44,7 +44,7 @@ pub struct TaskText {
     pub tolerance: String,
     /// Wrong numbers, each with its sentence.
     pub mistakes: Vec<(String, Localized)>,
-    /// Keys of a question that have no field, `see` and `place`, with their values from the file.
+    /// Keys of a question that have no field, such as `see` and `place`, with their values from the file.
     pub kept: Vec<(String, String)>,
     /// The same of mistakes that have a place, each with its sentence.
     pub kept_mistakes: Vec<(Vec<(String, String)>, Localized)>,
@@ -277,6 +277,9 @@ fn put_number(table: &mut Table, key: &str, typed: &str) {
 /// The keys of a question without fields.
 const SEE: &str = "see";
 const PLACE: &str = "place";
+const ASKS: &str = "asks";
+const BECAUSE: &str = "because";
+const SECOND: &str = crate::exercises::SECOND;
 
 /// A question or an exercise; `None` if it has more than the fields.
 fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
@@ -285,10 +288,11 @@ fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
         let [exercise, seed] = ["exercise", "seed"].map(|key| typed(ask.get(key)));
         return Some(TaskText { kind: TaskKind::Exercise, exercise, seed, ..TaskText::default() });
     }
-    only(ask, &["text", "answer", "quantity", "choices", "tolerance", "mistake", SEE, PLACE])?;
+    only(ask, &["text", "answer", "quantity", "choices", "tolerance", "mistake", SEE, PLACE, ASKS, BECAUSE, SECOND])?;
     let mut task = TaskText { kind: TaskKind::Number, text: told(ask.get("text"))?, ..TaskText::default() };
     let kept = |of: &dyn TableLike| -> Vec<(String, String)> {
-        let kept = [SEE, PLACE].into_iter().filter_map(|key| Some((key, of.get(key)?.as_value()?)));
+        let kept =
+            [SEE, PLACE, ASKS, BECAUSE, SECOND].into_iter().filter_map(|key| Some((key, of.get(key)?.as_value()?)));
         kept.map(|(key, value)| (key.to_owned(), value.to_string().trim().to_owned())).collect()
     };
     task.kept = kept(ask);
@@ -309,7 +313,7 @@ fn read_question(ask: &dyn TableLike) -> Option<TaskText> {
         task.mistakes = mistakes;
         return Some(task);
     };
-    only(ask, &["text", "answer", "choices", "mistake", SEE])?;
+    only(ask, &["text", "answer", "choices", "mistake", SEE, ASKS, BECAUSE])?;
     task.kind = TaskKind::Choices;
     let mut add = |name: &str, text: Localized| {
         let place = mistakes.iter().position(|(answer, _)| answer == name);

@@ -158,6 +158,7 @@ pub fn why(lang: Lang, why: Why) -> String {
         Why::Due(1) => text!(lang, why_due_day).to_owned(),
         Why::Due(days) => text!(lang, why_due_days, days),
         Why::NotSolved => text!(lang, why_not_solved).to_owned(),
+        Why::Sure => text!(lang, why_sure).to_owned(),
         Why::LongestAgo => text!(lang, why_longest_ago).to_owned(),
     }
 }

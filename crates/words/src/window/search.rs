@@ -103,6 +103,11 @@ const SYNONYMS: &[&[&str]] = &[
     ],
     &["share", "compartilhar", "link", "copy link"],
     &["shortcut", "shortcuts", "atalho", "atalhos", "keyboard", "teclado", "keys"],
+    &["study", "studies", "estudo", "estudos", "numerics", "error against run time", "erro por tempo"],
+    &["students", "alunos", "estudantes", "a class", "uma turma", "my class", "minha turma", "report", "relatorio"],
+    &["progress", "progresso", "exercises", "exercicios"],
+    &["import", "importar", "gltf", "glb", "obj", "stl", "ply", "mesh file", "arquivo de malha", "open", "abrir"],
+    &["frame", "enquadrar", "fit the image", "ajustar a imagem", "aim at it", "mirar nele"],
     &["quiz", "test", "prova", "exercise", "exercicio", "exercises", "exercicios"],
 ];
 

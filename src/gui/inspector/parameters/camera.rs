@@ -8,6 +8,7 @@ use crate::camera::{ParameterKey, Projection, ViewWindow};
 use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
 use crate::gui::kit::{Explained, NumberField, Step, help_topic};
+use crate::inspect::quantity::{Quantity, WindowNumber};
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
 use crate::scene::Preset;
 use camera_lab_words::window::Texts;
@@ -58,11 +59,12 @@ fn derived(ui: &mut egui::Ui, form: &mut ParameterForm) {
     match form.parameters.projection {
         Projection::Perspective => {
             let angle = form.good.view_angle().degrees();
-            form.derived_beside(ui, ("θ", t.view_angle, t.view_angle_hint), (angle, "°"), lens_menu::button);
+            let words = (t.view_angle, t.view_angle_hint);
+            form.derived_beside(ui, ParameterKey::ViewAngle, words, (angle, "°"), lens_menu::button);
         }
-        Projection::Parallel => form.derived(ui, ("H", t.height, t.height_hint), window.height()),
+        Projection::Parallel => form.derived(ui, ParameterKey::Height, (t.height, t.height_hint), window.height()),
     }
-    form.derived(ui, ("A", t.aspect, t.aspect_hint), window.aspect());
+    form.derived(ui, ParameterKey::Aspect, (t.aspect, t.aspect_hint), window.aspect());
 }
 
 fn kind(ui: &mut egui::Ui, form: &mut ParameterForm) {
@@ -122,6 +124,10 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut ParameterForm) {
             let [width, height] = [window.width(), window.height()].map(|side| t.lang.mark().number(side, digits));
             format!("{width} × {height}")
         };
+        let quantities = [WindowNumber::Width, WindowNumber::Height].map(Quantity::Window);
+        if form.is_hidden(ui, ["W × H", ""], (&quantities, &[window.width(), window.height()])) {
+            return;
+        }
         let size = ui.scope(|ui| {
             row(ui, "W × H", "", t.window_size_hint, |ui| {
                 ui.label(sizes(5)).explained(sizes(EXACT_DIGITS));
@@ -162,6 +168,9 @@ fn paint_padlock(ui: &egui::Ui, rect: egui::Rect, closed: bool) {
 fn sides(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     let Some(ViewWindow { mut left, mut right, mut bottom, mut top }) = form.parameters.window else { return };
+    if form.is_hidden(ui, ["l r b t", ""], (&[Quantity::Window(WindowNumber::Left)], &[left, right, bottom, top])) {
+        return;
+    }
     let step = power_of_ten((right - left).abs().max((top - bottom).abs()) / 10.0).unwrap_or(1.0);
     let marked = form.is_marked(ParameterKey::Window);
     let mut outputs = Vec::new();

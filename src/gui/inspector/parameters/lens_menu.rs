@@ -6,6 +6,7 @@ use eframe::egui::{self, Popup, PopupCloseBehavior};
 use super::{ParameterForm, complain, row, toggle};
 use crate::camera::{Camera, LensForm, LensNumbers, Parameters, Sensor, SensorFit};
 use crate::gui::kit::{Explained, NumberField, Step};
+use crate::inspect::quantity::{LensNumber, Quantity};
 use camera_lab_words::window::lens::{self, Texts};
 
 /// The values of the menu that no camera has.
@@ -29,6 +30,14 @@ enum LensChange {
 /// The button that opens the menu.
 pub(super) fn button(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = lens::texts(form.lang);
+    let numbers = form.good.lens_numbers(form.image).map(|lens| {
+        let [x, y] = lens.focal_length_pixels;
+        [lens.horizontal_angle, lens.diagonal_angle, x, y]
+    });
+    let all = LensNumber::ALL.iter().copied().map(Quantity::Lens).collect::<Vec<_>>();
+    if form.asked.hides(&all, numbers.as_ref().map_or(&[], |numbers| numbers)) {
+        return;
+    }
     let shown = egui::Button::new("▾");
     // Its identity is the menu's, which stays open while rows above it come or go.
     let place = egui::UiBuilder::new().scope_id(egui::Id::unique("button of the lens menu"));

@@ -19,6 +19,8 @@ use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
 use crate::gui::kit::{
     Command, Explained, FieldOutput, NumberField, has_focus, help_topic_row, keep_in_sight, written,
 };
+use crate::inspect::Asked;
+use crate::inspect::quantity::Quantity;
 use crate::numbers;
 use camera_lab_desk::{Model, Tab, symbols_of};
 use camera_lab_words::messages::faults;
@@ -116,6 +118,8 @@ struct ParameterForm {
     /// The new form, if it changes in this frame.
     new_lens: Option<LensForm>,
     image: ImageSize,
+    /// The quantities that open questions ask for.
+    asked: Asked,
     /// A camera that knows more than its parameters.
     replaced: Option<Camera>,
     said: bool,
@@ -142,6 +146,7 @@ impl ParameterForm {
             lens: model.desk.shown.figure().lens_in_force(),
             new_lens: None,
             image: model.desk.shown.figure().image,
+            asked: model.frame.asked.clone(),
             replaced: None,
             said: false,
             measured: Vec::new(),
@@ -182,6 +187,20 @@ impl ParameterForm {
         }
     }
 
+    /// Shows the row of a parameter without its value while a question asks for it. Returns false if none does.
+    fn is_hidden(
+        &self,
+        ui: &mut egui::Ui,
+        [symbol, name]: [&str; 2],
+        (quantities, values): (&[Quantity], &[f64]),
+    ) -> bool {
+        let hides = self.asked.hides(quantities, values);
+        if hides {
+            row(ui, symbol, name, self.t.asked_hint, |ui| ui.label(self.t.asked_here));
+        }
+        hides
+    }
+
     /// A vector: its name, and below it three fields side by side.
     fn vector(
         &mut self,
@@ -192,6 +211,10 @@ impl ParameterForm {
         value: fn(&mut Parameters) -> &mut DVec3,
     ) {
         let (symbol, marked) = (key.symbol(), self.is_marked(key));
+        let numbers = value(&mut self.parameters).to_array();
+        if self.is_hidden(ui, [symbol, name], (&[Quantity::Camera(key)], &numbers)) {
+            return;
+        }
         let shown = super::VectorField { symbol, name, hint, field: symbol, owner: "", step, angles: false, marked };
         let outputs = ui.scope(|ui| shown.show(ui, self.t, value(&mut self.parameters)));
         self.point_at(ui, key, outputs.response.rect);
@@ -208,6 +231,10 @@ impl ParameterForm {
         value: fn(&mut Parameters) -> &mut f64,
     ) {
         let marked = self.is_marked(key);
+        let number = *value(&mut self.parameters);
+        if self.is_hidden(ui, [key.symbol(), name], (&[Quantity::Camera(key)], &[number])) {
+            return;
+        }
         let output = ui.scope(|ui| {
             row(ui, key.symbol(), name, hint, |ui| {
                 if key == ParameterKey::ViewAngle {
@@ -297,19 +324,23 @@ impl ParameterForm {
     }
 
     /// A number that follows from others.
-    fn derived(&mut self, ui: &mut egui::Ui, named: (&str, &str, &str), value: f64) {
-        self.derived_beside(ui, named, (value, ""), |_, _| ());
+    fn derived(&mut self, ui: &mut egui::Ui, key: ParameterKey, named: (&str, &str), value: f64) {
+        self.derived_beside(ui, key, named, (value, ""), |_, _| ());
     }
 
     /// The same with its unit, after another control.
     fn derived_beside(
         &mut self,
         ui: &mut egui::Ui,
-        (symbol, name, hint): (&str, &str, &str),
+        key: ParameterKey,
+        (name, hint): (&str, &str),
         (value, unit): (f64, &str),
         beside: impl FnOnce(&mut egui::Ui, &mut Self),
     ) {
-        row(ui, symbol, name, hint, |ui| {
+        if self.is_hidden(ui, [key.symbol(), name], (&[Quantity::Camera(key)], &[value])) {
+            return;
+        }
+        row(ui, key.symbol(), name, hint, |ui| {
             // As high as a field.
             ui.set_min_height(ui.spacing().interact_size.y);
             beside(ui, self);

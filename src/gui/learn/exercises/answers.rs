@@ -5,7 +5,7 @@ use eframe::egui::{self, Align2, Key, Margin, RichText, ScrollArea, Stroke, Stro
 use super::{Sheet, check};
 use crate::exercises::{self, Answer, Ask, Kind, Unit, read_answer};
 use crate::expression::{Dimension, evaluate_with};
-use crate::gui::kit::{Explained, TextField, complaint, mathematics, prose, text_field, theme};
+use crate::gui::kit::{Explained, TextField, complaint, mathematics, prose, text_field, theme, toggle};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{is_whole, joined};
 use crate::limits::MAX_ANSWER;
@@ -80,22 +80,36 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     if let Some(first) = &typing.first {
         learn.exercises.give_focus(&ask.name, first);
     }
+    let can = matches!(reading, Ok(Some(_)));
+    let is_guess = guesses && guess.is_none();
+    let [label, hint] = if is_guess { [t.guess, t.guess_hint] } else { [t.check, t.check_hint] };
+    let button = ui.horizontal_wrapped(|ui| {
+        let button = ui.add_enabled(can, egui::Button::new(label)).explained(hint);
+        let button = button.explained_disabled(hint).accessible_name(words::of_ask(label, &name));
+        for (is_sure, label) in [(true, t.sure), (false, t.unsure)].into_iter().filter(|_| is_guess) {
+            let is_chosen = learn.exercises.sure == Some(is_sure);
+            if toggle(ui, is_chosen, label).explained(t.sure_hint).clicked() {
+                learn.exercises.sure = Some(is_sure).filter(|_| !is_chosen);
+            }
+        }
+        button
+    });
+    let button = button.inner;
     in_kept_room(ui, ask, |ui| match &reading {
         Err(unreadable) => complaint(ui, &unreadable.why),
         Ok(Some(answer)) if !ask.places => show_understood(ui, t.lang, ask, answer),
         Ok(_) => {}
     });
-    let can = matches!(reading, Ok(Some(_)));
-    let is_guess = guesses && guess.is_none();
-    let [label, hint] = if is_guess { [t.guess, t.guess_hint] } else { [t.check, t.check_hint] };
-    let button = ui.add_enabled(can, egui::Button::new(label)).explained(hint);
-    let button = button.explained_disabled(hint).accessible_name(words::of_ask(label, &name));
     typing.in_focus |= button.has_focus();
     if button.clicked() || (can && typing.is_done) {
         if is_guess {
             take_guess(model, learn, sheet, ask);
         } else {
+            let is_first = !learn.exercises.checked.contains_key(&ask.name);
             check(learn, sheet, ask);
+            if is_first && ask.name == exercises::SECOND {
+                learn.show_seen(model);
+            }
         }
     }
     typing.in_focus
@@ -124,6 +138,10 @@ fn take_guess(model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask)
     let text = joined(ask, learn.exercises.fields(ask));
     let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &text) else { return };
     learn.exercises.guess(ask, judged.right, crate::clock::seconds_since_1970());
+    // The image that answers comes after the second place.
+    if !judged.right && ask.second.is_some() {
+        return check(learn, sheet, ask);
+    }
     let shows = learn.show_seen(model);
     if shows && !ask.places {
         let fields = vec![String::new(); learn.exercises.fields(ask).len()];
@@ -152,14 +170,13 @@ const ROW_OF_TABLE: f32 = 1.55;
 fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     let id = ui.scope_id().with("room for what is said");
     let line = ui.text_style_height(&TextStyle::Body);
-    let [rows, _] = ask.shape();
-    #[expect(clippy::cast_precision_loss, reason = "a few rows")]
     let least = match ask.kind {
         Kind::Choice(_) | Kind::Camera => 0.0,
         // The cross in the picture shows it.
         _ if ask.places => 0.0,
-        // Before the first key there is room for the interpretation.
-        Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => ROW_OF_TABLE * line * rows as f32,
+        // Before the first key there is room for the interpretation, but not for several rows.
+        Kind::Number => ROW_OF_TABLE * line,
+        Kind::Vector(_) | Kind::Matrix(..) => 0.0,
     };
     let kept = ui.data(|data| data.get_temp(id)).unwrap_or(least);
     let needed = ui.scope(say).response.rect.height();

@@ -1,6 +1,7 @@
 //! The exercises in the window: the list, and the open exercise with its statement, answers, verdicts and solutions.
 
 mod answers;
+mod asked;
 mod figure;
 pub(in crate::gui) mod list;
 mod own;
@@ -107,9 +108,11 @@ pub(in crate::gui) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
 /// Shows a question with its fields and the verdict. Returns whether one of the fields has the focus.
 fn question(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, just_said: bool) -> bool {
     ui.push_id(&ask.name, |ui| {
-        let in_focus = answers::ui(ui, model, learn, sheet, ask);
+        // After a wrong first mark, the second place is what's left to answer.
+        let second = learn.exercises.second_of(ask);
+        let in_focus = second.is_none() && answers::ui(ui, model, learn, sheet, ask);
         verdict::ui(ui, model, learn, sheet, ask, just_said);
-        in_focus
+        second.is_some_and(|second| question(ui, model, learn, sheet, second, just_said)) || in_focus
     })
     .inner
 }

@@ -89,10 +89,11 @@ pub(super) fn camera_button(ui: &mut Ui, model: &mut Model, learn: &mut Learn, s
 
 /// The quantity of `inspect` that the question asks for as a whole, if there is one.
 fn quantity(ask: &Ask) -> Option<Quantity> {
-    match ask.expected() {
-        Expected::Quantity(_, QuantityPath { quantity, entry: [None, _] }) => Some(*quantity),
-        Expected::Quantity(..) | Expected::Computed(..) | Expected::Choice(..) | Expected::Camera(..) => None,
-    }
+    let path = match ask.expected() {
+        Expected::Quantity(_, path) => Some(*path),
+        Expected::Computed(..) | Expected::Choice(..) | Expected::Camera(..) => ask.quantity,
+    };
+    path.filter(|QuantityPath { entry, .. }| entry[0].is_none()).map(|path| path.quantity)
 }
 
 /// True for complete answers that describe a camera.

@@ -120,6 +120,12 @@ pub struct Opened {
 }
 
 impl Opened {
+    /// True if the whole solution is shown.
+    pub fn is_at_end(&self) -> bool {
+        let last = self.steps.checked_sub(1).filter(|last| !self.is_to_do(*last));
+        last.is_some() && self.way.as_ref().is_some_and(|way| self.steps >= way.len())
+    }
+
     /// True for a step that is still to be done.
     pub fn is_to_do(&self, step: usize) -> bool {
         step >= self.given && !self.filled.contains(&step)
@@ -195,6 +201,8 @@ pub struct Exercises {
     pub(in crate::gui) answered: Vec<(Chosen, String, bool)>,
     /// The questions of the lesson being played, which are in no list.
     pub(in crate::gui) of_lesson: Vec<Entry>,
+    /// True if the user is sure of the guess to be made, false if not. `None` until they say so.
+    pub sure: Option<bool>,
     /// The reason why this exercise was chosen for practice next.
     pub(in crate::gui) why: Option<(Chosen, Why)>,
     /// The exercise as last built.
@@ -287,7 +295,7 @@ impl Exercises {
         self.made = None;
         self.checked.clear();
         self.opened.clear();
-        self.described = None;
+        (self.described, self.sure) = (None, None);
         self.wants_focus = None;
         self.just_opened = true;
     }
@@ -343,7 +351,7 @@ impl Exercises {
             let read = exercises::read_answer(&text, ask, &exercise.free).ok().filter(|_| was_judged);
             answers.extend(read.map(|answer| (ask.name.clone(), answer)));
         }
-        for ask in &exercise.asks {
+        for ask in exercise.asks.iter().flat_map(|ask| [Some(ask), ask.second.as_deref()]).flatten() {
             if !self.typed_now().judged.contains(&ask.name) {
                 continue;
             }
@@ -385,25 +393,45 @@ impl Exercises {
     pub fn asks_for_guess(&self, ask: &Ask) -> bool {
         let id = self.open.as_ref().map(|open| open.id.as_str());
         let is_of_lesson = self.of_lesson.iter().any(|entry| Some(&*entry.id) == id);
-        is_of_lesson && (ask.places || matches!(ask.kind, Kind::Choice(_)))
+        is_of_lesson && ask.name != exercises::SECOND && (ask.places || matches!(ask.kind, Kind::Choice(_)))
     }
 
     /// The question for a place in the image, of the open exercise.
     pub(in crate::gui) fn placing(&mut self, hint: &'static str) -> Option<Placing> {
         let (_, exercise) = self.exercise()?;
-        let ask = exercise.asks.iter().find(|ask| ask.places)?;
-        let guess = self.guess_at(ask).and_then(|fields| place_in(ask, fields));
+        let first = exercise.asks.iter().find(|ask| ask.places)?;
+        let ask = self.second_of(first).unwrap_or(first);
+        let guess = self.guess_at(first).and_then(|fields| place_in(first, fields));
         let verdict = self.checked.get(&ask.name).map(|checked| checked.judged.right);
-        let right = ask.expected().table().filter(|_| verdict.is_some());
+        // A wrong guess is no way to the right place: it's shown after the second try.
+        let is_tried = self.checked.get(&ask.name).is_some_and(|checked| {
+            checked.judged.right || ask.name == exercises::SECOND || self.guess_at(ask) != Some(&checked.fields)
+        });
+        let place = |ask: &Ask| ask.expected().table().filter(|_| is_tried)?.entries.try_into().ok();
+        let right = place(first);
+        let second = Some(ask).filter(|ask| ask.name == exercises::SECOND).and_then(place);
         Some(Placing {
             from: None,
             mark: place_in(ask, self.fields(ask)),
             guess,
-            right: right.and_then(|right| right.entries.try_into().ok()),
+            right,
+            second,
             is_open: verdict != Some(true),
             hint,
             of: Mark::Ask(Box::new(ask.clone())),
         })
+    }
+
+    /// The second place to mark, if the guess at the first was wrong.
+    pub fn second_of<'a>(&self, ask: &'a Ask) -> Option<&'a Ask> {
+        let is_wrong = self.checked.get(&ask.name).is_some_and(|checked| !checked.judged.right);
+        ask.second.as_deref().filter(|_| is_wrong && self.guess_at(ask).is_some())
+    }
+
+    /// True if the answer to a question is right, or the one to its second place.
+    pub fn is_right(&self, ask: &Ask) -> bool {
+        let is = |ask: &Ask| self.checked.get(&ask.name).is_some_and(|checked| checked.judged.right);
+        is(ask) || ask.second.as_deref().is_some_and(is)
     }
 
     /// The guess at a question, once there is one.
@@ -417,7 +445,7 @@ impl Exercises {
         let said = joined(ask, &fields);
         self.typed_now().guesses.insert(ask.name.clone(), fields);
         self.note_answered(ask, right);
-        let done = Done::Guessed(open.id, Guess { said, right, at: now });
+        let done = Done::Guessed(open.id, Guess { said, right, sure: self.sure.take(), at: now });
         done.note(&mut self.progress);
         self.unwritten.push(done);
     }
@@ -495,7 +523,7 @@ impl Exercises {
     }
 
     fn next_of(&self, entries: &[&Entry], now: u64) -> Option<(Chosen, Why)> {
-        let next = self.progress.practise_next(entries.iter().copied(), now)?;
+        let next = self.progress.practise_after(entries.iter().copied(), now, crate::lessons::family_after)?;
         // An exercise with typed but unjudged answers is continued.
         let begun = entries.iter().find(|entry| entry.id == next.id && self.progress.tried(&next.id).is_none());
         let seed = begun.map_or(next.seed, |entry| self.seed_of(entry));

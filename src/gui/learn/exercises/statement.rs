@@ -9,6 +9,9 @@ use crate::lessons::{Way, lesson_of};
 use camera_lab_desk::Model;
 use camera_lab_words::learn::{exercise_messages as messages, exercises as said};
 
+/// The height of a window in which the assumptions are open from the start, in points.
+const TALL: f32 = 900.0;
+
 /// Shows the statement.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>) {
     let Sheet { t, entry, exercise } = sheet;
@@ -28,7 +31,9 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     target(ui, model, sheet);
     let assumptions = said::assumptions(t.lang, exercise);
     if !assumptions.is_empty() {
-        CollapsingHeader::new(t.how_it_is_read).id_salt("how it is read").default_open(true).show(ui, |ui| {
+        // In a low window the questions come first.
+        let has_room = ui.ctx().content_rect().height() >= TALL;
+        CollapsingHeader::new(t.how_it_is_read).id_salt("how it is read").default_open(has_room).show(ui, |ui| {
             // In a list, the renderer would begin a long item below its bullet.
             assumptions.iter().for_each(|text| prose::show(ui, &format!("• {text}")));
         });

@@ -10,6 +10,7 @@ use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{Way, lesson_of};
 use camera_lab_desk::Model;
 use camera_lab_words::learn::{exercise_messages as messages, exercises as said};
+use camera_lab_words::told;
 
 /// Shows the verdict on an answer, and the help. A verdict `just_said` is scrolled into sight.
 pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
@@ -62,6 +63,9 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
             if let Some(why) = why_guess_was_wrong(learn, sheet, ask).filter(|_| judged.right) {
                 prose::show(ui, &why);
             }
+            if let Some(because) = ask.because.as_ref().filter(|_| judged.right) {
+                prose::show(ui, told(t.lang, because));
+            }
         });
         hints = messages::hints(t.lang, exercise, ask, judged);
     }
@@ -84,7 +88,10 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     }
     if just_said {
         let said = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), newest..=ui.min_rect().bottom());
-        let too_high = said.height() > ui.clip_rect().height();
+        let room = ui.clip_rect().height();
+        // With the question above it, if both fit.
+        let said = if ui.min_rect().height() <= room { ui.min_rect() } else { said };
+        let too_high = said.height() > room;
         ui.scroll_to_rect(said, too_high.then_some(egui::Align::TOP));
     }
 }

@@ -30,6 +30,11 @@ impl Hands {
         counts
     }
 
+    /// True if the answer of a step is shown.
+    pub(in crate::gui) fn have_answered(&self, step: usize) -> bool {
+        self.answered == Some(step)
+    }
+
     fn raise(&mut self, step: usize, (choice, choices): (usize, usize), is_more: bool) {
         let mut counts = self.of(step, choices);
         counts[choice] = if is_more { counts[choice].saturating_add(1) } else { counts[choice].saturating_sub(1) };

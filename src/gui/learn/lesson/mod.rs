@@ -191,7 +191,8 @@ pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -
     let most = share * ctx.content_rect().height();
     let notes = speaker::are_below(&ctx, model, playing);
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
-    let size = egui::vec2(ui.available_width(), ctx.content_rect().height());
+    // Beside an exercise it's narrower, and as high as elsewhere.
+    let size = ctx.content_rect().size();
     let asks = (presents && asks).then_some(playing.step);
     let below = [playing.shows_text, notes, playing.hands.answered == Some(playing.step)];
     let fits = Fits { size, lang: t.lang, writes, presents, asks, below, shows };
@@ -254,7 +255,7 @@ fn first_height(ui: &mut Ui, t: &Texts, learn: &Learn, fits: &Fits) -> f32 {
     let bar = ui.spacing().interact_size.y + 2.0 * ui.spacing().item_spacing.y + margin.y + 4.0;
     let Some(playing) = learn.lesson.as_ref().filter(|_| fits.shows) else { return bar };
     let line = ui.text_style_height(&egui::TextStyle::Body);
-    let width = ui.available_width() - margin.x;
+    let width = fits.size.x - margin.x;
     let tallest = playing.lesson.steps.iter().enumerate().map(|(k, step)| {
         let asks = step.task.is_some() && !fits.presents;
         let column = egui::vec2(column(ui, width, fits.presents, asks), f32::INFINITY);
@@ -413,8 +414,10 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
         prose::show(ui, text(&step.text).trim());
     };
     let asks = step.task.is_some() && learn.lesson.as_ref().is_some_and(|playing| playing.shows_question);
-    let half = column(ui, ui.available_width(), presents, asks);
-    if shows_text && asks && half < 0.5 * ui.available_width() {
+    // An exercise takes one line here.
+    let is_beside = asks && (presents || !matches!(step.task, Some(Task::Exercise { .. })));
+    let half = column(ui, ui.available_width(), presents, is_beside);
+    if shows_text && is_beside && half < 0.5 * ui.available_width() {
         // Side by side they leave the pictures more room.
         ui.horizontal_top(|ui| {
             ui.vertical(|ui| {

@@ -457,8 +457,7 @@ impl Learn {
             _ => return false,
         };
         let is_open = self.exercises.open.as_ref().is_some_and(|open| open.id == id && open.seed == seed);
-        let right = self.exercises.right();
         let asks = self.exercises.entry(id).map(|entry| entry.exercise(seed, &Default::default()).asks);
-        is_open && asks.is_some_and(|asks| asks.iter().all(|ask| right.contains(ask.name.as_str())))
+        is_open && asks.is_some_and(|asks| asks.iter().all(|ask| self.exercises.is_right(ask)))
     }
 }

@@ -3,7 +3,9 @@
 use eframe::egui::{CursorIcon, Modifiers};
 use glam::{DVec2, DVec3};
 
-use crate::camera::{Camera, CameraError, Parameters};
+use crate::camera::{Camera, CameraError, ParameterKey, Parameters};
+use crate::inspect::Asked;
+use crate::inspect::quantity::Quantity;
 use crate::views::{Handle, Request, handles};
 use camera_lab_words::window;
 use camera_lab_words::window::canvas::CanvasTexts;
@@ -59,9 +61,24 @@ fn vertical(modifiers: Modifiers) -> bool {
     modifiers.shift || modifiers.command || modifiers.ctrl
 }
 
-/// The name and place of a handle, such as `C = (3, 4, 5)`.
-pub(in crate::gui) fn readout(handle: Handle, camera: &Camera, digits: usize, texts: &CanvasTexts) -> String {
+/// The name and place of a handle, such as `C = (3, 4, 5)`. Its name alone while a question asks for the place.
+pub(in crate::gui) fn readout(
+    handle: Handle,
+    camera: &Camera,
+    digits: usize,
+    (asked, texts): (&Asked, &CanvasTexts),
+) -> String {
     let mark = texts.lang.mark();
+    let (key, name, values) = match handle {
+        Handle::Position => (ParameterKey::Position, "C", camera.position().to_array().to_vec()),
+        Handle::FocalPoint => (ParameterKey::FocalPoint, "PF", camera.focal_point().to_array().to_vec()),
+        Handle::ViewUp => (ParameterKey::ViewUp, "VUP", camera.view_up().to_array().to_vec()),
+        Handle::Near => (ParameterKey::Near, "F", vec![camera.near()]),
+        Handle::Far => (ParameterKey::Far, "B", vec![camera.far()]),
+    };
+    if asked.hides(&[Quantity::Camera(key)], &values) {
+        return format!("{name}: {}", window::texts(texts.lang).asked_here);
+    }
     match handle {
         Handle::Position => format!("C = {}", point(camera.position(), digits, mark)),
         Handle::FocalPoint => format!("PF = {}", point(camera.focal_point(), digits, mark)),

@@ -226,7 +226,7 @@ impl Canvas {
             Some((_, Drag::Handle(held))) => {
                 self.hover.hovered = Some(held.handle);
                 let camera = model.desk.shown.camera();
-                let mut lines = vec![handle_drag::readout(held.handle, camera, digits, texts)];
+                let mut lines = vec![handle_drag::readout(held.handle, camera, digits, (&model.frame.asked, texts))];
                 status.message = match &held.stopped {
                     Some(error) => {
                         let reason = format!("{} {}", texts.stopped, camera_error(model.settings.lang, error));
@@ -249,7 +249,7 @@ impl Canvas {
             Some((_, Drag::Camera(held))) => {
                 let camera = model.desk.shown.camera();
                 let moved = if held.is_pan() { Handle::FocalPoint } else { Handle::Position };
-                status.message = handle_drag::readout(moved, camera, digits, texts);
+                status.message = handle_drag::readout(moved, camera, digits, (&model.frame.asked, texts));
                 ui.set_cursor_icon(if held.is_pan() { CursorIcon::Move } else { CursorIcon::Grabbing });
             }
             Some((_, Drag::Gizmo(held))) => {

@@ -188,8 +188,11 @@ impl Canvas {
             && is_own
             && let Some(handle) = handle_at(request, pointer, pane.rect.pixels(handle_drag::REACH))
         {
-            let lines =
-                [handle_drag::readout(handle, camera, digits, texts), handle_drag::hint(handle, camera, digits, texts)];
+            let asked = &model.frame.asked;
+            let lines = [
+                handle_drag::readout(handle, camera, digits, (asked, texts)),
+                handle_drag::hint(handle, camera, digits, texts),
+            ];
             tell(ui, status, &lines, handle_drag::cursor(false));
             self.hover.hovered = Some(handle);
             return probed(handle, model);

@@ -64,15 +64,25 @@ impl Canvas {
             let on_screen = |place: [f64; 2]| shown.on_screen(DVec2::from_array(place));
             let painter = ui.painter().with_clip_rect(pane.rect.rect);
             let [mine, right] = [Color32::from_rgb(0xff, 0xa5, 0x20), Color32::from_rgb(0x4c, 0xd0, 0x6a)];
+            let mut gap = None;
             if let (Some(guess), Some(place)) = (placing.guess, placing.right) {
                 let ends = [guess, place].map(on_screen);
                 painter.line_segment(ends, Stroke::new(1.5, mine));
+                gap = Some((ends[0].lerp(ends[1], 0.5), DVec2::from_array(guess).distance(DVec2::from_array(place))));
             }
-            let rings = [(placing.guess, mine), (placing.right, right)];
+            let rings = [(placing.guess, mine), (placing.right, right), (placing.second, right)];
             for (at, color) in rings.into_iter().filter_map(|(at, color)| Some((at?, color))) {
                 let at = on_screen(at);
                 painter.circle_stroke(at, RING, Stroke::new(4.0, dark));
                 painter.circle_stroke(at, RING, Stroke::new(2.0, color));
+            }
+            // Over the rings, with the length in pixels of the image.
+            if let Some((middle, length)) = gap.filter(|(_, length)| *length >= 1.0) {
+                let font = TextStyle::Body.resolve(ui.style());
+                let galley = painter.layout_no_wrap(format!("{length:.0} px"), font, visuals.text_color());
+                let room = Align2::CENTER_CENTER.anchor_size(middle, galley.size());
+                painter.rect_filled(room.expand(2.0), 3.0, visuals.panel_fill);
+                painter.galley(room.min, galley, visuals.text_color());
             }
             if let Some(from) = placing.from {
                 let at = on_screen(from);

@@ -201,7 +201,7 @@ impl Greys {
             (Some(_), Projection::Perspective) => 2.0 / (1.0 / f + 1.0 / b),
             (None, _) | (Some(_), Projection::Parallel) => f + (b - f) / 2.0,
         };
-        let distances = [f, middle, b].map(|d| labels.mark.number(d, 4));
+        let distances = [f, middle, b].map(|d| request.written(&[], &[d], |mark| mark.number(d, 4)));
         let [near, halfway, far] = distances;
         let distances = [format!("−z_c = {near}"), halfway, far];
         let stored = [0.0, 0.5, 1.0].map(|share| labels.mark.number(level(share), 4));

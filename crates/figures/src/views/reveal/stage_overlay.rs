@@ -7,6 +7,7 @@ use glam::DVec2;
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Style, Visibility};
 use crate::drawing::{Anchor, Area, Base, Drawing, Label, Mark, StrokeSet, Surface};
+use crate::inspect::quantity::{PointNumber, Quantity};
 use crate::pipeline::{Containment, Frame, Output, Scenes, Stage, StageWork, VertexWork};
 use crate::sanitize;
 use crate::stage::WorksOn;
@@ -15,7 +16,7 @@ use crate::text::literal;
 use crate::views::words::label_layout::Author;
 use crate::views::words::legend::{LegendRow, LegendText};
 use crate::views::world::gizmos::{SMALL_TYPE, stroke};
-use crate::views::{Labels, Palette, Request};
+use crate::views::{Palette, Request};
 
 /// Greatest number of vertices with their numbers written on them.
 const MOST_NUMBERS: usize = 10;
@@ -181,7 +182,7 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
     for vertex in &work.vertices {
         if known.len() < MOST_NUMBERS && known.iter().all(|k| k.image != vertex.image) {
             known.push(*vertex);
-            label(format!("{VERTEX}{}", known.len()), vertex.image, in_and_out(work.stage, vertex, request.labels));
+            label(format!("{VERTEX}{}", known.len()), vertex.image, in_and_out(work.stage, vertex, request));
         }
     }
 }
@@ -191,12 +192,20 @@ fn colors(palette: Palette) -> [Rgba; 2] {
 }
 
 /// The numbers of a vertex before and after a stage.
-fn in_and_out(stage: Stage, vertex: &VertexWork, labels: &Labels) -> String {
-    let numbers = |values: &[f64]| labels.mark.tuple(values, 3);
+fn in_and_out(stage: Stage, vertex: &VertexWork, request: &Request) -> String {
+    let numbers = |values: &[f64]| request.labels.mark.tuple(values, 3);
     let VertexWork { world, view, clip, w, image } = vertex;
     let ndc = clip.map(|c| c / w);
+    let shown = match stage {
+        Stage::Divide | Stage::Oblique => [PointNumber::Clip, PointNumber::Ndc],
+        Stage::Viewport => [PointNumber::Ndc, PointNumber::Viewport],
+        _ => [PointNumber::World, PointNumber::View],
+    };
+    if request.shot.asked.hides(&shown.map(|number| Quantity::Point(0, number)), &[]) {
+        return "?".to_owned();
+    }
     match stage {
-        Stage::Divide => format!("{} ÷ {} → {}", numbers(clip), labels.mark.number(*w, 3), numbers(&ndc)),
+        Stage::Divide => format!("{} ÷ {} → {}", numbers(clip), request.labels.mark.number(*w, 3), numbers(&ndc)),
         Stage::Viewport => format!("{} → {}", numbers(&ndc), numbers(&[image[0], image[1]].map(f64::from))),
         Stage::Oblique => format!("{} → {}", numbers(&[view.x, view.y]), numbers(clip)),
         _ => format!("{} → {}", numbers(&world.to_array()), numbers(&view.to_array())),

@@ -9,7 +9,9 @@ use super::camera_gizmo::GizmoSizes;
 use super::dimensions::{Pen, Span, span};
 use super::gizmos::{AnnotationBuilder, SMALL_TYPE, symbol_of};
 use super::volume::DrawnVolume;
+use crate::camera::ParameterKey;
 use crate::figure::{Measured, WindowSide};
+use crate::inspect::quantity::{BasisAxis, Quantity, ReportMatrix, WindowNumber};
 use crate::views::{Palette, Request};
 
 const LETTERS: [&str; 3] = ["x", "y", "z"];
@@ -99,17 +101,22 @@ pub(in crate::views) fn lettered(builder: &mut AnnotationBuilder, [from, to]: [D
 fn text(request: &Request, measured: Measured) -> Option<String> {
     let (camera, axes) = (&request.camera, axes(request));
     let (window, c) = (camera.window(), camera.position());
-    let (symbol, value) = match measured {
+    let parameter = Quantity::Camera;
+    let (symbol, value, quantity) = match measured {
         Measured::Dimension(_) | Measured::Translate(_) | Measured::Rotate(_) | Measured::Scale(_) => return None,
-        Measured::Axis(k, i) => (format!("{}_{}", AXES[k], LETTERS[i]), axes[k][i]),
-        Measured::OriginAlong(k) => (format!("−{} · c", AXES[k]), -axes[k].dot(c)),
-        Measured::Position(i) => (format!("c_{}", LETTERS[i]), c[i]),
-        Measured::FocalPoint(i) => (format!("PF_{}", LETTERS[i]), camera.focal_point()[i]),
-        Measured::ViewUp(i) => (format!("VUP_{}", LETTERS[i]), camera.view_up()[i]),
-        Measured::Side(WindowSide::Left) => ("l".to_owned(), window.left),
-        Measured::Side(WindowSide::Right) => ("r".to_owned(), window.right),
-        Measured::Side(WindowSide::Bottom) => ("b".to_owned(), window.bottom),
-        Measured::Side(WindowSide::Top) => ("t".to_owned(), window.top),
+        Measured::Axis(k, i) => (format!("{}_{}", AXES[k], LETTERS[i]), axes[k][i], Quantity::Axis(BasisAxis::ALL[k])),
+        Measured::OriginAlong(k) => {
+            (format!("−{} · c", AXES[k]), -axes[k].dot(c), Quantity::Matrix(ReportMatrix::View))
+        }
+        Measured::Position(i) => (format!("c_{}", LETTERS[i]), c[i], parameter(ParameterKey::Position)),
+        Measured::FocalPoint(i) => {
+            (format!("PF_{}", LETTERS[i]), camera.focal_point()[i], parameter(ParameterKey::FocalPoint))
+        }
+        Measured::ViewUp(i) => (format!("VUP_{}", LETTERS[i]), camera.view_up()[i], parameter(ParameterKey::ViewUp)),
+        Measured::Side(WindowSide::Left) => ("l".to_owned(), window.left, Quantity::Window(WindowNumber::Left)),
+        Measured::Side(WindowSide::Right) => ("r".to_owned(), window.right, Quantity::Window(WindowNumber::Right)),
+        Measured::Side(WindowSide::Bottom) => ("b".to_owned(), window.bottom, Quantity::Window(WindowNumber::Bottom)),
+        Measured::Side(WindowSide::Top) => ("t".to_owned(), window.top, Quantity::Window(WindowNumber::Top)),
     };
-    Some(format!("{symbol} = {}", request.labels.mark.number(value + 0.0, 4)))
+    Some(format!("{symbol} = {}", request.number(quantity, value + 0.0)))
 }

@@ -3,13 +3,14 @@
 use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, Rgba};
-use crate::camera::Projection;
+use crate::camera::{ParameterKey, Projection};
 
 use super::camera_gizmo::GizmoSizes;
 use super::gizmos::{AnnotationBuilder, SMALL_TYPE};
 use super::volume::DrawnVolume;
 use crate::figure::words::{self, DIMENSIONS};
 use crate::figure::{Measure, MeasureText, Measured};
+use crate::inspect::quantity::{Quantity, WindowNumber};
 use crate::views::{Palette, Request};
 
 /// A length between two points, measured on a line beside them.
@@ -163,21 +164,23 @@ pub(in crate::views) fn half_angle(request: &Request) -> Option<DVec3> {
 
 /// The symbol and the number of a measure, or one of them, as the author chose.
 pub(in crate::views) fn text(request: &Request, measure: Measure) -> String {
-    let (camera, window, mark) = (&request.camera, request.camera.window(), request.labels.mark);
+    let (camera, window) = (&request.camera, request.camera.window());
     let half_angle = (window.height() / 2.0).atan2(camera.near()).to_degrees();
-    let (value, unit) = match measure {
-        Measure::Near => (camera.near(), ""),
-        Measure::Far => (camera.far(), ""),
-        Measure::Distance => (camera.distance(), ""),
-        Measure::Width => (window.width(), ""),
-        Measure::Height => (window.height(), ""),
-        Measure::HalfWidth => (window.width() / 2.0, ""),
-        Measure::HalfHeight => (window.height() / 2.0, ""),
-        Measure::Angle => (2.0 * half_angle, "°"),
-        Measure::HalfAngle => (half_angle, "°"),
+    let parameter = Quantity::Camera;
+    let [width, height] = [WindowNumber::Width, WindowNumber::Height].map(Quantity::Window);
+    let (quantity, value, unit) = match measure {
+        Measure::Near => (parameter(ParameterKey::Near), camera.near(), ""),
+        Measure::Far => (parameter(ParameterKey::Far), camera.far(), ""),
+        Measure::Distance => (Quantity::Distance, camera.distance(), ""),
+        Measure::Width => (width, window.width(), ""),
+        Measure::Height => (height, window.height(), ""),
+        Measure::HalfWidth => (width, window.width() / 2.0, ""),
+        Measure::HalfHeight => (height, window.height() / 2.0, ""),
+        Measure::Angle => (parameter(ParameterKey::ViewAngle), 2.0 * half_angle, "°"),
+        Measure::HalfAngle => (parameter(ParameterKey::ViewAngle), half_angle, "°"),
     };
     let symbol = measure.symbol();
-    let value = format!("{}{unit}", mark.number(value, 4));
+    let value = format!("{}{unit}", request.number(quantity, value));
     let labelled = request.shot.labels.measures.iter().find(|labelled| labelled.measure == measure);
     match labelled.map(|labelled| labelled.shown).unwrap_or_default() {
         MeasureText::Symbol => symbol.to_owned(),

@@ -19,8 +19,9 @@ use std::sync::Arc;
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba, Role, Texture};
-use crate::camera::Projection;
+use crate::camera::{ParameterKey, Projection};
 use crate::figure::WorldPart;
+use crate::inspect::quantity::Quantity;
 use crate::pipeline::{Frame, Scenes};
 use crate::sanitize;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Pictured, Scene};
@@ -294,11 +295,19 @@ impl<'a> World<'a> {
         let (labels, volume) = (self.request.labels, self.content.volume);
         let window = match volume.before {
             None => format!("{} (F)", labels.window),
-            Some(_) => format!("{} (F = {})", labels.window, labels.mark.number(self.request.camera.near(), 4)),
+            Some(_) => format!(
+                "{} (F = {})",
+                labels.window,
+                self.request.number(Quantity::Camera(ParameterKey::Near), self.request.camera.near())
+            ),
         };
         let far = match volume.gap.or(volume.before) {
             None => format!("{} (B)", labels.far),
-            Some(_) => format!("{} (B = {})", labels.far, labels.mark.number(self.request.camera.far(), 4)),
+            Some(_) => format!(
+                "{} (B = {})",
+                labels.far,
+                self.request.number(Quantity::Camera(ParameterKey::Far), self.request.camera.far())
+            ),
         };
         for (part, role, name, face, text) in [
             (WorldPart::Window, Role::Window, "window", volume.window(), &window),

@@ -6,6 +6,7 @@ use crate::appearance::{Dash, MarkShape, Role};
 use crate::camera::{Camera, Projection};
 use crate::figure::Observer;
 use crate::geometry::Aabb;
+use crate::inspect::quantity::{PointNumber, Quantity, WindowNumber};
 use crate::sanitize;
 
 use super::dimensions::{self, Pen, Span};
@@ -101,7 +102,10 @@ impl<'a> Profile<'a> {
 fn example(request: &Request) -> (DVec3, String) {
     let camera = &request.camera;
     let labels = request.labels;
-    let called = |kind: &str, p: DVec3| (p, format!("{kind} {}", labels.mark.tuple(&p.to_array(), 3)));
+    let called = |kind: &str, p: DVec3| {
+        let world = [Quantity::Point(0, PointNumber::World)];
+        (p, format!("{kind} {}", request.written(&world, &p.to_array(), |mark| mark.tuple(&p.to_array(), 3))))
+    };
     let in_front = |(p, _): &(DVec3, String)| -camera.view_point(*p).z > 0.0;
     let probed = match request.probe() {
         Some(Probe::Point(p)) => Some(called(labels.vertex, p)),
@@ -208,12 +212,12 @@ fn lengths(builder: &mut AnnotationBuilder, request: &Request, palette: Palette,
         let aside = v * (lowest - row * step);
         dimensions::span(builder, &Span { ends, aside, name, text, gap }, pen);
     };
-    let number = |value| request.labels.mark.number(value, 4);
+    let [view, image] = [PointNumber::View, PointNumber::Window].map(|number| Quantity::Point(0, number));
     along(builder, camera.near(), 1.0, ("F", &dimensions::text(request, Measure::Near)), None, soft);
     let end = profile.volume.end;
     let gap = profile.volume.gap.map(|gap| gap.map(|d| d / end));
     along(builder, end, 3.0, ("B", &dimensions::text(request, Measure::Far)), gap, soft);
-    let depth = format!("−z_c = {}", number(profile.distance()));
+    let depth = format!("−z_c = {}", request.number(view, profile.distance()));
     along(builder, profile.distance(), 2.0, ("−z_c", &depth), None, probe);
 
     let window = camera.window();
@@ -224,14 +228,15 @@ fn lengths(builder: &mut AnnotationBuilder, request: &Request, palette: Palette,
         }
     };
     let near = camera.near();
-    let half = format!("H/2 = {}", number(window.height() / 2.0));
+    let half = format!("H/2 = {}", request.number(Quantity::Window(WindowNumber::Height), window.height() / 2.0));
     if window.top == -window.bottom {
         // On the other side of the axis from the point, so that neither covers the other.
         let side = if profile.height() < 0.0 { window.top } else { window.bottom };
         upright(builder, near, side, -dop * (0.6 * step), &half, soft);
     }
-    upright(builder, near, profile.image(), dop * (0.6 * step), &format!("y_p = {}", number(profile.image())), probe);
-    let height = format!("y_c = {}", number(profile.height()));
+    let on_window = format!("y_p = {}", request.number(image, profile.image()));
+    upright(builder, near, profile.image(), dop * (0.6 * step), &on_window, probe);
+    let height = format!("y_c = {}", request.number(view, profile.height()));
     upright(builder, profile.distance(), profile.height(), dop * (0.6 * step), &height, probe);
     if dimensions::half_angle(request).is_some() {
         let side = profile.sides(near)[usize::from(profile.height() < 0.0)];

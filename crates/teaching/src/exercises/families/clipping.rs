@@ -46,7 +46,14 @@ fn outcodes_of(a: DVec4, b: DVec4) -> Exercise {
     let ask = |name: &str, p: DVec4| {
         let code = move |slips: Slips| {
             let inverted = slips.has(Slip::OutcodeInverted);
-            distances(p, slips).map(|distance| f64::from(u8::from((distance < 0.0) != inverted)))
+            let [left, right, bottom, top, near, far] = distances(p, slips);
+            let negative_first = slips.has(Slip::NegativePlanesFirst);
+            let distances = if negative_first {
+                [left, bottom, near, right, top, far]
+            } else {
+                [left, right, bottom, top, near, far]
+            };
+            distances.map(|distance| f64::from(u8::from((distance < 0.0) != inverted)))
         };
         let of = |text: &'static str, latex, value| named(text, latex, value);
         let [x, y, z, w] = [of("x", "x", p.x), of("y", "y", p.y), of("z", "z", p.z), of("w", "w", p.w)];
@@ -73,11 +80,18 @@ fn inside(a: DVec4, b: DVec4, slips: Slips) -> Option<[f64; 2]> {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     let is_other = slips.has(Slip::MinForMax);
     let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+    // With the same planes.
+    let mut added = [0.0, 1.0];
     for (at_a, at_b) in distances(a, slips).into_iter().zip(distances(b, slips)) {
         if at_a < 0.0 && at_b < 0.0 {
             return None;
         }
         let cut = at_a / (at_a - at_b);
+        if at_a < 0.0 && cut >= from {
+            added[0] = at_a / (at_a + at_b);
+        } else if at_a >= 0.0 && at_b < 0.0 && cut <= to {
+            added[1] = at_a / (at_a + at_b);
+        }
         if at_a < 0.0 {
             (from, least) = (from.max(cut), least.min(cut));
         } else if at_b < 0.0 {
@@ -86,6 +100,9 @@ fn inside(a: DVec4, b: DVec4, slips: Slips) -> Option<[f64; 2]> {
     }
     if is_other && least.is_finite() && greatest.is_finite() {
         return Some([least, greatest]);
+    }
+    if slips.has(Slip::DistancesAdded) {
+        return Some(added);
     }
     (from < to).then_some([from, to])
 }

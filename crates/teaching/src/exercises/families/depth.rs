@@ -29,6 +29,7 @@ pub(super) fn resolution(random: &mut Random) -> Exercise {
         let steps = if is_near || slips.has(Slip::PowerOfTwo) { bits.exp2() } else { bits.exp2() - 1.0 };
         let range = if is_near || slips.has(Slip::FarForgotten) { far } else { far - near };
         let slope = far * near / (range * distance * distance);
+        let slope = if slips.has(Slip::DepthTermHalved) { slope / 2.0 } else { slope };
         let slope = if slips.has(Slip::DepthNotMapped) { 2.0 * slope } else { slope };
         if slips.has(Slip::StepNotConverted) {
             return 1.0 / steps;

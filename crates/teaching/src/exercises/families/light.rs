@@ -122,7 +122,8 @@ impl Vertex {
     /// The share of its own colour that the vertex sends back.
     fn share(&self, slips: Slips) -> Option<f64> {
         // An angle in place of a share makes an implausible amount of light.
-        (!slips.has(Slip::CosineLeftAsAngle)).then(|| share([0, 1].map(|k| self.cosine(k, slips)), slips))
+        let white = if slips.has(Slip::HighlightAdded) { self.highlight(Slips::NONE)? } else { 0.0 };
+        (!slips.has(Slip::CosineLeftAsAngle)).then(|| white + share([0, 1].map(|k| self.cosine(k, slips)), slips))
     }
 
     /// The white that lamp 1 adds. No white is no evidence of any mistake.
@@ -155,7 +156,8 @@ fn share(cosines: [f64; 2], slips: Slips) -> f64 {
     let cosines = if slips.has(Slip::AbsoluteCosine) { cosines.map(f64::abs) } else { cosines };
     let diffuse =
         slips.pick([(Slip::DiffuseForgotten, 1.0), (Slip::MeanOfLights, DIFFUSE / cosines.len() as f64)], DIFFUSE);
-    let ambient = if slips.has(Slip::AmbientForgotten) { 0.0 } else { AMBIENT };
+    let ambient =
+        slips.pick([(Slip::AmbientForgotten, 0.0), (Slip::AmbientPerLight, AMBIENT * cosines.len() as f64)], AMBIENT);
     ambient + diffuse * cosines.into_iter().map(|cosine| cosine.max(least)).sum::<f64>()
 }
 

@@ -35,7 +35,7 @@ pub(super) fn without_coincidences(family: &str, seed: u64, make: fn(&mut Random
     exercise
 }
 
-/// True for numbers of a statement that hide which one was used: F = A, D = e, P on an axis, and angles whose half has
+/// True for numbers of a statement that hide which one was used: F = A, D = e, P on an axis, PF at the origin, and angles whose half has
 /// a tangent that another step has too, tan 30° = cot 60° and tan 45° = 1.
 fn has_coincidence(family: &str, exercise: &Exercise) -> bool {
     let number = |name: &str| {
@@ -61,6 +61,13 @@ fn has_coincidence(family: &str, exercise: &Exercise) -> bool {
     match family {
         // On the back plane Z is z_n, and one depth has the same Z without its range and without a minus.
         "viewport" if !tells(Slip::DepthNotMapped) || are_alike(Slip::DepthRangeIgnored, Slip::DepthScaleSign) => true,
+        // With PF on the line from the origin to C, and with equal steps along **u** and **v**.
+        "basis" | "view-matrix" | "ndc" | "inside" | "pixel" | "ray" | "viewport"
+            if !tells(Slip::FocalPointForgotten) =>
+        {
+            true
+        }
+        "pan" | "ray" if !tells(Slip::AxesExchanged) => true,
         "ndc" | "pixel" if is_on_an_axis("P") => true,
         "window" | "perspective-matrix" | "ndc" | "inside" | "pixel" | "ray" | "viewport" | "zoom" | "vocabulary" => {
             in_perspective && (is("theta", &[60.0, 90.0]) || are_equal("F", "A"))

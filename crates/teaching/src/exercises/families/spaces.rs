@@ -207,6 +207,9 @@ pub(super) fn order(random: &mut Random) -> Exercise {
                 (Slip::OrderTsr, move_by * stretch * turn),
                 (Slip::OrderStr, stretch * move_by * turn),
                 (Slip::OrderRst, turn * stretch * move_by),
+                (Slip::WithoutTranslation, turn * stretch),
+                (Slip::WithoutRotation, move_by * stretch),
+                (Slip::WithoutScale, move_by * turn),
             ],
             move_by * turn * stretch,
         )

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::mistake::Mistake;
 use super::nature::Nature;
 use super::slip::{Cause, Slip, Slips};
-use crate::exercises::acceptance::{is_right, rounded};
+use crate::exercises::acceptance::{in_order, is_right, rounded};
 use crate::exercises::beside::{Beside, numbers};
 use crate::exercises::exercise::{Ask, Expected};
 use crate::exercises::own_texts::OwnMistake;
@@ -66,6 +66,13 @@ pub(in crate::exercises) fn diagnose(
     // A slip that gives the right result isn't a mistake here.
     let differs = |table: &Table| table.shape() == right.shape() && !ask.accepts_all(&table.entries, right);
     let agreed = |table: &Table| {
+        // Points in any order are in that of the table.
+        let given = if ask.any_order {
+            let all: Vec<Option<f64>> = given.iter().copied().map(Some).collect();
+            &in_order(given, &ask.order(&all, table))
+        } else {
+            given
+        };
         let agreement = agreement(ask, given, table).filter(|_| differs(table))?;
         is_evidence(ask, given, right, table).then_some(agreement)
     };

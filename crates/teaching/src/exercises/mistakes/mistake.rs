@@ -120,6 +120,10 @@ crate::listed! {
         NotTouching = "not-touching",
         /// The ray starts on the window.
         WindowAsStart = "window-as-start",
+        /// w taken as 0.
+        WIsZero = "w-is-zero",
+        /// A step that the question doesn't contain.
+        DoneTooMuch = "done-too-much",
     }
     /// The word of the mistake in JSON and in `progress.toml`.
     pub fn code

@@ -401,6 +401,84 @@ slips! {
     BehindForgotten = NotDone "behind";
     /// The dolly divides the distance of the pole behind PF, and not that of PF.
     DollyOfBehind = WrongPoint "dolly";
+    /// C + (PF − C)/f: the part of the way that the dolly leaves, taken as the way.
+    WayForDistance = WrongPoint "way";
+    /// R (C − PF), without PF.
+    CentreNotAddedBack = NotDone "back";
+    /// PF + **n**, without D.
+    DistanceLeftOut = NotDone "distance";
+    /// **n** = C/‖C‖, without PF.
+    FocalPointForgotten = NotDone "focal-point";
+    /// **u** and **v** in each other's place.
+    AxesExchanged = OrderReversed "axes";
+    /// The rows of M_v from **n** to **u**.
+    RowsReversed = OrderReversed "rows-reversed";
+    /// A window in the middle, although it's to one side.
+    MiddleForgotten = NotDone "middle";
+    /// r + l for (r + l)/(r − l).
+    MiddleNotDivided = NotDone "middle-divided";
+    /// The middle of the window in the column of the other projection.
+    MiddleInOtherColumn = ProjectionsExchanged "middle";
+    /// r + l for r − l, everywhere.
+    SidesAdded = Sign "sides";
+    /// r + l for r − l, in the scale alone.
+    SidesAddedInScale = Sign "sides";
+    /// The row of z of the other M_p.
+    OtherDepthRow = ProjectionsExchanged "depth-row";
+    /// The last two rows of the other M_p.
+    OtherLastRows = ProjectionsExchanged "last-rows";
+    /// The last two rows of M_p in each other's place.
+    LastRowsExchanged = OrderReversed "last-rows";
+    /// The first two numbers of the diagonal of M_p in each other's place.
+    AspectOnOther = AspectInverted "other";
+    /// T S in place of S T, in a parallel M_p.
+    ShiftNotScaled = OrderReversed "shift";
+    /// Columns and rows from the middle of the image.
+    ImageMiddleForgotten = OffsetIgnored "middle";
+    /// The width of the viewport for its half, and the height.
+    ViewportWhole = FactorTwo "viewport";
+    /// x and y divided by w, and z not.
+    DepthNotDivided = NoDivide "depth";
+    /// The point of the window as the direction.
+    PointAsDirection = PositionForgotten "ray";
+    /// The point of the VRC minus C.
+    VrcPointFromEye = ViewAsWorld "minus-eye";
+    /// The start of a ray relative to C.
+    EyeForgotten = PositionForgotten "eye";
+    /// θ/2 for θ.
+    AngleHalved = FactorTwo "half-angle";
+    /// θ = arctan(H/F).
+    AngleOfHeight = WholeAngle "height";
+    /// t = d_A/(d_A + d_B), with the signs of the distances.
+    DistancesAdded = Sign "cut";
+    /// Left, bottom and near before right, top and far.
+    NegativePlanesFirst = OrderReversed "planes";
+    /// R S.
+    WithoutTranslation = NotDone "without-t";
+    /// T S.
+    WithoutRotation = NotDone "without-r";
+    /// T R.
+    WithoutScale = NotDone "without-s";
+    /// `k_a` for each light.
+    AmbientPerLight = DoneTooMuch "ambient";
+    /// The highlight, added to the share of the vertex's own colour.
+    HighlightAdded = DoneTooMuch "highlight";
+    /// M_v applied to the vertices of the object.
+    ModelForgotten = NotDone "model";
+    /// D for F = D/100.
+    DayUndivided = NotDone "hundredth";
+    /// F and B from the month.
+    MonthForDay = OrderReversed "month-for-day";
+    /// w = 0.
+    WithoutW = WIsZero;
+    /// A base of side 2.
+    BaseOfTwo = FactorTwo "base";
+    /// A base of side 2 and a height of 2.
+    PyramidOfTwo = FactorTwo "base";
+    /// The scaled vertices, where those before it are asked for.
+    ScaledAlready = DoneTooMuch "scaled";
+    /// The base on the plane z = 0.
+    BaseUpright = OrderReversed "upright";
 }
 
 /// [`Slips`] has a bit for each.
@@ -427,6 +505,9 @@ impl Slip {
                     | Self::OnlyRotated
                     | Self::TranslationInRow
                     | Self::RowsExchanged
+                    | Self::RowsReversed
+                    | Self::AxesExchanged
+                    | Self::FocalPointForgotten
                     | Self::ViewInverted
                     | Self::ViewForgotten
                     | Self::ViewAsWorld
@@ -445,6 +526,7 @@ impl Slip {
                 | Self::OneBased
                 | Self::NotFloored
                 | Self::RoundedNotFloored
+                | Self::ImageMiddleForgotten
         )
     }
 

@@ -47,8 +47,12 @@ pub(super) fn rays(_seed: u64) -> Exercise {
     let direction = Ask::computed("perspective_direction", Kind::Vector(3), towards_vrc(&in_perspective), {
         let subject = in_perspective.clone();
         move |slips| {
+            let point = DVec3::new(1.0, 1.0, 0.0);
             if slips.has(Slip::ViewAsWorld) {
-                return Some(Table::from(DVec3::new(1.0, 1.0, 0.0).normalize()));
+                return Some(Table::from(point.normalize()));
+            }
+            if slips.has(Slip::VrcPointFromEye) {
+                return Some(Table::from((point - parameters.position).normalize()));
             }
             if slips.has(Slip::ProjectionsExchanged) {
                 return subject.value(Quantity::Direction);
@@ -57,7 +61,9 @@ pub(super) fn rays(_seed: u64) -> Exercise {
                 if slips == Slips::NONE { subject.value(path) } else { textbook::value(&subject, path, slips) }
             });
             let sum: Vec<f64> = u?.entries.iter().zip(&v?.entries).map(|(u, v)| u + v).collect();
-            let sum = DVec3::from_slice(&sum) * if slips.has(Slip::RayReversed) { -1.0 } else { 1.0 };
+            let from_origin = slips.has(Slip::PointAsDirection);
+            let start = if from_origin { parameters.position } else { DVec3::ZERO };
+            let sum = (start + DVec3::from_slice(&sum)) * if slips.has(Slip::RayReversed) { -1.0 } else { 1.0 };
             let keeps = slips.any(&[Slip::LengthForgotten, Slip::RayNotNormalised]);
             Some(Table::from(if keeps { sum } else { sum.normalize_or_zero() }))
         }

@@ -20,6 +20,7 @@ const BASE: [DVec3; 4] =
     [DVec3::new(-0.5, 0.0, -0.5), DVec3::new(0.5, 0.0, -0.5), DVec3::new(0.5, 0.0, 0.5), DVec3::new(-0.5, 0.0, 0.5)];
 const APEX: DVec3 = DVec3::Y;
 
+#[derive(Clone, Copy)]
 struct Birth {
     day: f64,
     month: f64,
@@ -87,6 +88,46 @@ impl Birth {
         self.world(Slips::NONE).into_iter().fold(subject, |subject, vertex| with_point(subject, vertex.truncate()))
     }
 
+    /// A quantity of the subject, with slips in the model and in the planes too.
+    fn value(&self, quantity: Quantity, slips: Slips) -> Option<Table> {
+        let mut subject = self.subject();
+        if slips == Slips::NONE {
+            return subject.value(quantity);
+        }
+        let camera = &mut subject.figure.camera;
+        if slips.has(Slip::MonthForDay) {
+            (camera.near, camera.far) = (self.month / 100.0, 10.0 * self.month);
+        } else if slips.has(Slip::DayUndivided) {
+            camera.near = self.day;
+        }
+        if slips.has(Slip::ModelForgotten) {
+            subject.points = self.vertices().map(|vertex| vertex.truncate()).collect();
+        }
+        textbook::value(&subject, quantity, slips)
+    }
+
+    /// A question for it.
+    fn ask(self, name: &str, kind: Kind, steps: Vec<Worked>, quantity: Quantity) -> Ask {
+        let ask = Ask::computed(name, kind, steps, move |slips| self.value(quantity, slips));
+        Ask { quantity: Some(quantity.into()), ..ask }
+    }
+
+    /// The vertices before M_m.
+    fn local(&self, slips: Slips) -> Vec<DVec4> {
+        let wide = slips.any(&[Slip::BaseOfTwo, Slip::PyramidOfTwo]);
+        let (side, height) = if slips.has(Slip::ScaledAlready) {
+            (self.month, self.day)
+        } else {
+            (if wide { 2.0 } else { 1.0 }, if slips.has(Slip::PyramidOfTwo) { 2.0 } else { 1.0 })
+        };
+        let w = if slips.has(Slip::WithoutW) { 0.0 } else { 1.0 };
+        let placed = |vertex: DVec4| {
+            let [x, y, z] = [vertex.x * side, vertex.y * height, vertex.z * side];
+            if slips.has(Slip::BaseUpright) { DVec4::new(x, z, y, w) } else { DVec4::new(x, y, z, w) }
+        };
+        self.vertices().map(placed).collect()
+    }
+
     fn exercise(&self, free: &[&'static str]) -> Exercise {
         let all = [("D", self.day), ("M", self.month), ("theta", self.view_angle), ("A", self.aspect)];
         let exercise = about(self.subject());
@@ -113,7 +154,6 @@ fn matrix_of_points(
 pub(super) fn vertices(free: &Free) -> Exercise {
     let birth = Birth::new(free);
     let (day, month) = (birth.day, birth.month);
-    let local: Vec<DVec4> = birth.vertices().collect();
     let number = |name: &str, [symbol, factor]: [&'static str; 2], value: f64| {
         // The pyramid has side 1 and height 1 before.
         let scaled = times([named(factor, factor, value).into(), 1.0.into()]);
@@ -126,7 +166,7 @@ pub(super) fn vertices(free: &Free) -> Exercise {
         ask.of_nature(Nature::Size)
     };
     let asks = vec![
-        Ask { any_order: true, ..matrix_of_points("local", Vec::new(), move |_| Some(local.clone())) },
+        Ask { any_order: true, ..matrix_of_points("local", Vec::new(), move |slips| Some(birth.local(slips))) },
         number("side", ["a", "M"], month),
         number("height", ["h", "D"], day),
     ];
@@ -180,7 +220,7 @@ pub(super) fn model_and_view(free: &Free) -> Exercise {
 pub(super) fn projection(free: &Free) -> Exercise {
     let birth = Birth::new(free);
     let subject = birth.subject();
-    let of = Birth { ..birth };
+    let of = birth;
     let projected = matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), Slips::NONE);
     let view = matrix(&subject, Quantity::Matrix(ReportMatrix::View), Slips::NONE);
     // As the statement says: the vertices in view space, from exercise II, times M_p.
@@ -191,13 +231,11 @@ pub(super) fn projection(free: &Free) -> Exercise {
         steps
     };
     let clip = {
-        let subject = subject.clone();
-        let world = of.world(Slips::NONE);
         matrix_of_points("clip", times_projection(&seen), move |slips| {
-            let (view, projection) = (
-                matrix(&subject, Quantity::Matrix(ReportMatrix::View), slips)?,
-                matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), slips)?,
-            );
+            let [view, projection] = [ReportMatrix::View, ReportMatrix::Projection]
+                .map(|of_report| of.value(Quantity::Matrix(of_report), slips).and_then(|matrix| matrix.matrix()));
+            let (view, projection) = (view?, projection?);
+            let world = if slips.has(Slip::ModelForgotten) { of.vertices().collect() } else { of.world(Slips::NONE) };
             let view = if slips.has(Slip::ViewForgotten) { DMat4::IDENTITY } else { view };
             let projection = if slips.has(Slip::ProjectionForgotten) { DMat4::IDENTITY } else { projection };
             Some(world.iter().map(|vertex| projection * (view * *vertex)).collect())
@@ -210,8 +248,8 @@ pub(super) fn projection(free: &Free) -> Exercise {
         Some(columns(&world.iter().map(|vertex| all * *vertex).collect::<Vec<_>>()))
     });
     let apex_alone = seen.last().map_or_else(Vec::new, |apex| vec![*apex]);
-    let apex = Ask::quantity("apex", &subject, Quantity::Point(4, PointNumber::Clip))
-        .worked_as(times_projection(&apex_alone))
+    let apex = of
+        .ask("apex", Kind::Vector(4), times_projection(&apex_alone), Quantity::Point(4, PointNumber::Clip))
         .following(&["Mp", "Mv", "Mm"], |tables| {
             let [projection, view, model] = [0, 1, 2].map(|k: usize| tables[k].matrix());
             Some(Table::from(projection? * (view? * (model? * APEX.extend(1.0)))))
@@ -223,7 +261,8 @@ pub(super) fn projection(free: &Free) -> Exercise {
         lens_in_points("apex", seen.last().copied().into_iter().collect()),
     ];
     let exercise = of.exercise(&["D", "M", "theta", "A"]);
-    let asks = vec![Ask::quantity("Mp", &subject, Quantity::Matrix(ReportMatrix::Projection)), clip, apex];
+    let of_projection = Quantity::Matrix(ReportMatrix::Projection);
+    let asks = vec![of.ask("Mp", Kind::Matrix(4, 4), worked(&subject, of_projection), of_projection), clip, apex];
     let assumptions = vec!["lost-pyramid", "touches-planes", "angle-and-aspect", "distances-not-coordinates", "w-zero"];
     Exercise { asks, assumptions, holds, ..exercise }
 }

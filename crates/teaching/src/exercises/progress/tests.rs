@@ -180,6 +180,25 @@ fn the_next_exercise_is_chosen_for_a_reason() {
     assert_eq!(Progress::default().practise_next([], 0), None);
 }
 
+#[test]
+fn a_mistake_of_which_one_was_sure_comes_first_until_it_is_practised() {
+    let (question, family) = ("question-1", "basis");
+    let guessed = |right, sure| {
+        let mut progress = Progress::default();
+        progress.guessed(question, Guess { said: "u".to_owned(), right, sure, at: 5 });
+        Progress::read(&progress.to_toml()).unwrap()
+    };
+    let next = |progress: &Progress| progress.practise_after(entries(), 1_000, |_| Some("basis")).unwrap();
+    for (right, sure) in [(true, Some(true)), (false, Some(false)), (false, None)] {
+        assert_ne!(next(&guessed(right, sure)).why, Why::Sure);
+    }
+    let mut progress = guessed(false, Some(true));
+    let first = next(&progress);
+    assert_eq!((first.id.as_str(), first.why), (family, Why::Sure));
+    solve(&mut progress, entry(family).unwrap(), 0, 6);
+    assert_ne!(next(&progress).why, Why::Sure);
+}
+
 /// Days after the beginning, and the reason then.
 #[test]
 fn a_family_comes_back_after_1_3_7_and_21_days_with_new_numbers() {

@@ -201,6 +201,7 @@ impl Guess {
         Ok(Self {
             said: known(table, "said", text)?.unwrap_or_default(),
             right: known(table, "right", Item::as_bool)?.unwrap_or_default(),
+            sure: known(table, "sure", Item::as_bool)?,
             at: known(table, "at", long)?.unwrap_or_default(),
         })
     }
@@ -208,6 +209,7 @@ impl Guess {
     fn write(&self, table: &mut dyn TableLike) {
         set(table, "said", Some(value(&self.said)));
         set(table, "right", Some(value(self.right)));
+        set(table, "sure", self.sure.map(value));
         set(table, "at", Some(long_item(self.at)));
     }
 }
