@@ -132,7 +132,9 @@ fn windows_to_one_side_have_their_mistakes() {
         }
     };
     let sides = |exercise: &Exercise| ["l", "r", "b", "t"].map(|name| number(exercise, name));
-    let named = |cause, wrong: &dyn Fn(&Exercise, [f64; 2], [f64; 2]) -> Vec<f64>| {
+    /// The matrix of a mistake, from the sizes of the window and the sums of its sides.
+    type Wrong<'a> = &'a dyn Fn(&Exercise, [f64; 2], [f64; 2]) -> Vec<f64>;
+    let named = |cause, wrong: Wrong<'_>| {
         named("asymmetric-window", "Mp", cause, |exercise| {
             let [l, r, b, t] = sides(exercise);
             Some(wrong(exercise, [r - l, t - b], [r + l, t + b]))
