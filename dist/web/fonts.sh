@@ -15,7 +15,7 @@ letters+=,U+2200-226B,U+2282-2287,U+2295-2297,U+22A5,U+22C5,U+22EE-22F1,U+2308-2
 letters+=,U+1D40,U+1D43-1D49,U+1D4F-1D50,U+1D52,U+1D56-1D58,U+1D5B,U+2500,U+2502,U+250C,U+2510,U+2514,U+2518,U+2588,U+2591-2593
 letters+=,U+25A0-25D3,U+25E6-25E8,U+25EF,U+2600-2606,U+2610-2612,U+2630,U+270E,U+2713-2718,U+26A0,U+27C2,U+27E8-27E9,U+2B12-2B1B,U+FFFD
 # In code and in columns of numbers. The window takes other characters from the font above.
-columns=U+0020-017F,U+0391-03C9,U+2010-2027,U+2070-209F,U+2190-2195,U+2212,U+221A,U+221E,U+2248,U+2260-2265,U+25B2-25C6,U+2713-2718,U+FFFD
+columns=U+0020-00FF,U+0391-03C9,U+2010-2027,U+2070-209F,U+2190-2195,U+2212,U+221A,U+221E,U+2248,U+2260-2265,U+25B2-25C6,U+2713-2718,U+FFFD
 # In titles.
 titles=U+0020-00FF,U+0391-03C9,U+2010-2026,U+2080-2089,U+2190-2193,U+2212,U+2260-2265,U+221A
 
@@ -35,7 +35,12 @@ subset_of_katex() {
     pyftsubset "$1/$2.ttf" --output-file="$1/page/$2.ttf" --unicodes="$3" --layout-features='' --no-glyph-names --notdef-outline \
         --no-hinting --name-IDs=''
 }
-for name in KaTeX_Main-Regular KaTeX_Math-Italic; do subset_of_katex "$pictures" "$name" '*'; done
+subset_of_katex "$pictures" KaTeX_Math-Italic '*'
+# But for cards, notes of music, accented capitals and rare relations.
+roman=U+0020-007E,U+00A0,U+00AC,U+00B0,U+00B1,U+00B7,U+00D7,U+00F7,U+0131,U+0237,U+02C6-02DD,U+0300-0338,U+0391-03F6,U+2010-2027,U+2032
+roman+=,U+2033,U+2057,U+20D7,U+210E,U+210F,U+2111,U+2113,U+2118,U+211C,U+2135,U+2190-2199,U+21A6,U+21CC,U+21D0-21D4,U+2200-226B,U+2282
+roman+=,U+2283,U+2286,U+2287,U+2295-2297,U+2299,U+22A4,U+22A5,U+22C5,U+22EE-22F1,U+2308-230B,U+25B3,U+25EF,U+27E8,U+27E9,U+27F5,U+27F6
+subset_of_katex "$pictures" KaTeX_Main-Regular "$roman"
 for size in 1 2 3 4; do subset_of_katex "$window" "KaTeX_Size$size-Regular" '*'; done
 subset_of_katex "$pictures" KaTeX_Main-Bold U+0020-007E,U+0391-03C9,U+2212,U+00B7,U+00D7
 
