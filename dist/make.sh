@@ -60,7 +60,7 @@ make_web() (
     python3 dist/web/assemble.py "$page" "$out"
     cp THIRD-PARTY.md "$out"
     # Its pictures need the program for this machine, which need not be fast.
-    CARGO_ENCODED_RUSTFLAGS='' cargo build --locked --package camera-lab --bin camera-lab
+    CARGO_ENCODED_RUSTFLAGS='' cargo build --locked
     python3 dist/web/lessons.py "$CARGO_TARGET_DIR/debug/camera-lab" "$out"
 )
 

@@ -136,7 +136,7 @@ fn title_sentence_and_minutes_of_the_lesson_are_written_and_taken_back() {
     let steps = |text: &str| text[text.find("[[step]]").unwrap()..].to_owned();
     assert_eq!(steps(&text), steps(shipped.text), "to the letter");
     // The preview has the title with the minutes, as lists have it.
-    window.harness.get_by_label("Axes of a camera (9 min)");
+    window.harness.get_by_label(&words::with_minutes(Lang::En, &read_lesson(&path).unwrap().0));
     // A text that is no number of minutes gets a message, stays in its field, and holds the lesson.
     type_into(&mut window, t.lesson_minutes_field, "long");
     pause(&mut window);

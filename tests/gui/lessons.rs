@@ -235,8 +235,8 @@ fn the_first_start_offers_the_first_lesson_and_no_later_one_does() {
     }
 }
 
-/// The next start continues at the step where the last one ended, and closing the line is for this time only. The end of
-/// a lesson leads to the next one.
+/// The next start continues at the step of the last end, and closing the line is for this time only. The end of a
+/// lesson leads to the next one.
 #[test]
 fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
     for (stopped, id, place) in

@@ -263,8 +263,8 @@ fn controls(lang: Lang) -> Vec<SearchEntry> {
     ]
 }
 
-/// The results, best first: the word stands in the title as a whole or begins it, the words are in it, or are
-/// elsewhere, and then the same by other names.
+/// The results, best first: the word stands in the title of a control as a whole or begins a title, the words are in
+/// it, or are elsewhere, and then the same by other names.
 fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[SearchEntry]> {
     let called = also_called(wanted);
     // The ways of shading are its choices.
@@ -275,8 +275,9 @@ fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[SearchEntry]> {
         // The hint of an explanation is about as short as a title, and users look for it first.
         let is_explained = matches!(entry.target, SearchTarget::Explanation(_));
         let is_shading = entry.target == shading;
+        let is_control = matches!(entry.target, SearchTarget::Command(_) | SearchTarget::Parameter(..));
         let of_name = |name: &str| match name {
-            name if title.split(|c: char| !c.is_alphanumeric()).any(|word| word == name) => Some(0),
+            name if is_control && title.split(|c: char| !c.is_alphanumeric()).any(|word| word == name) => Some(0),
             name if title.starts_with(name) || is_shading && has_words(&whole, name) => Some(0),
             name if has_words(&title, name) || is_explained && has_words(&whole, name) => Some(1),
             name if has_words(&whole, name) => Some(3),

@@ -1,5 +1,5 @@
-//! What the page around this one asks for, and what it's told. The script of the page checks the messages, and hands
-//! each over as three texts. `docs/web.md` describes them.
+//! Messages between this page and the one around it. The script of the page checks them, and hands each over as three
+//! texts. `docs/web.md` describes them.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -27,7 +27,7 @@ use camera_lab_words::{families, handout, messages as said};
 /// The greatest side of an image in an answer, in pixels.
 const MOST: u32 = 2048;
 
-/// What the page around this one knows.
+/// The state that the page around this one has heard of.
 #[derive(Default)]
 pub(super) struct Known {
     /// The figure, and the lesson with its step.

@@ -149,7 +149,7 @@ struct Page {
     full_screen: bool,
     /// True if the readiness of the pictures has been reported.
     told: bool,
-    /// What the page around this one knows.
+    /// The state that the page around this one has heard of.
     known: messages::Known,
 }
 

@@ -177,8 +177,8 @@ impl Learn {
         begun.next().or_else(|| open().next()).map(|(place, _)| place)
     }
 
-    /// The lesson and the step to go on with: where the last lesson was left, or if that was its end, where the next one
-    /// continues.
+    /// The lesson and the step to go on with: those that were left last, or if that was the end of the lesson, those of
+    /// the next one.
     pub fn place_to_go_on(&self) -> Option<(&'static Arc<Lesson>, usize)> {
         let stopped = self.stopped.as_ref().and_then(|(id, step)| {
             let lesson = &shipped().iter().find(|shipped| shipped.lesson.id == *id)?.lesson;

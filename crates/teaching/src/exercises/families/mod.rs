@@ -35,8 +35,8 @@ pub(super) fn without_coincidences(family: &str, seed: u64, make: fn(&mut Random
     exercise
 }
 
-/// True for numbers of a statement that hide which one was used: F = A, D = e, P on an axis, PF at the origin, and angles whose half has
-/// a tangent that another step has too, tan 30° = cot 60° and tan 45° = 1.
+/// True for numbers of a statement that hide which one was used: F = A, D = e, P on an axis, PF at the origin, and
+/// angles whose half has a tangent that another step has too, tan 30° = cot 60° and tan 45° = 1.
 fn has_coincidence(family: &str, exercise: &Exercise) -> bool {
     let number = |name: &str| {
         exercise.facts.iter().find(|(other, _)| *other == name).and_then(|(_, fact)| match fact {
