@@ -284,8 +284,9 @@ fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[SearchEntry]> {
             _ => None,
         };
         let own = called.first().and_then(|name| of_name(name));
-        // Another name counts after the title, but before a word somewhere in the text.
-        let others = called.iter().skip(1).filter_map(|name| of_name(name)).min().map(|rank: usize| rank.max(1) + 1);
+        // Another name of a control counts as its title, and others after titles, but before a word somewhere in a text.
+        let others = called.iter().skip(1).filter_map(|name| of_name(name)).min();
+        let others = others.map(|rank: usize| if is_control && rank == 0 { 0 } else { rank.max(1) + 1 });
         [own, others].into_iter().flatten().min()
     };
     let all = entries(model, learn).into_iter().chain(keys(model.settings.lang, wanted));
@@ -469,7 +470,7 @@ mod tests {
             (Lang::En, "progress", "Exercises"),
             (Lang::En, "import", "Open…"),
             (Lang::En, "gltf", "Open…"),
-            (Lang::En, "frame", "Fit the image"),
+            (Lang::En, "frame", "Aim at it"),
             (Lang::PtBr, "alunos", "Uma turma…"),
             (Lang::PtBr, "enquadrar", "Ajustar a imagem"),
             (Lang::PtBr, "folha de exercícios", "Lista de exercícios…"),
