@@ -284,7 +284,7 @@ fn found(model: &Model, learn: &Learn, wanted: &str) -> Arc<[SearchEntry]> {
             _ => None,
         };
         let own = called.first().and_then(|name| of_name(name));
-        // Another name of a control counts as its title. Others come after titles, but before words somewhere in a text.
+        // Another name of a control counts as its title. Others come after titles, but before words elsewhere.
         let others = called.iter().skip(1).filter_map(|name| of_name(name)).min();
         let others = others.map(|rank: usize| if is_control && rank == 0 { 0 } else { rank.max(1) + 1 });
         [own, others].into_iter().flatten().min()
