@@ -477,12 +477,7 @@ fn a_lesson_and_exercises_are_printed() {
     window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count > 1));
     window.click(t.save);
     let path = folder.file("sheet.pdf");
-    window.harness.get_by_role_and_label(Role::TextInput, "file").focus();
-    window.run();
-    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.harness.event(Event::Text(path.display().to_string()));
-    window.run();
-    window.key(Key::Enter);
+    window.choose(&path);
     window.wait(|_| path.exists());
     assert!(fs::read(&path).expect("written").starts_with(b"%PDF"));
 }
@@ -579,12 +574,7 @@ fn thirty_versions_are_one_file_with_their_solutions_beside_it() {
     window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count >= 30));
     window.click(t.save);
     let path = folder.file("sheet.pdf");
-    window.harness.get_by_role_and_label(Role::TextInput, "file").focus();
-    window.run();
-    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.harness.event(Event::Text(path.display().to_string()));
-    window.run();
-    window.key(Key::Enter);
+    window.choose(&path);
     window.wait(|_| path.exists());
     for path in [path, folder.file("sheet-solutions.pdf")] {
         assert!(fs::read(&path).expect("written").starts_with(b"%PDF"), "{}", path.display());

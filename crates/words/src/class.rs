@@ -149,7 +149,7 @@ impl ClassReport {
         let count = self.class.students.len();
         let students =
             if count == 1 { text!(lang, students_one).to_owned() } else { text!(lang, students_many, count) };
-        let mut sections = vec![(students, if count == 0 { vec![t.nobody.to_owned()] } else { Vec::new() })];
+        let mut sections = vec![(students, if count == 0 { vec![t.empty.to_owned()] } else { Vec::new() })];
         let all = self.class.mistakes();
         let counted = |(code, count): &(String, usize)| {
             let message = Mistake::of_code(code).map_or(code.as_str(), |made| exercises::mistake(lang, made)[0]);

@@ -110,11 +110,10 @@ fn clicks_and_keys(ui: &egui::Ui, model: &mut Model, row: &TreeRow, response: &R
     if is_object {
         response.context_menu(|ui| {
             let t = window::texts(model.settings.lang);
-            for (framing, text, hint) in
-                [(Framing::Aim, t.aim, t.aim_hint), (Framing::Fit, t.fit_image, t.fit_image_hint)]
-            {
-                if ui.button(text).explained(hint).clicked() {
-                    (model.tree.selected) = row.what.clone();
+            // Without hints, which would cover the entry below.
+            for (framing, text) in [(Framing::Aim, t.aim), (Framing::Fit, t.fit_image)] {
+                if ui.button(text).clicked() {
+                    model.tree.selected = row.what.clone();
                     model.frame_objects(framing);
                     ui.close();
                 }

@@ -185,7 +185,7 @@ fn row(v: DVec4) -> String {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MatrixTextError {
-    /// Another count of numbers, and no name that says what they are.
+    /// Another count of numbers, none of them with a known name.
     #[error(
         "{0} numbers, and no name says what they are; without names it reads 16 numbers (a matrix), 12 (K [R | t], or R and t), 9 (K, or C, PF and VUP) or 7 (a quaternion and t); the guide “Cameras of other programs” lists the files and names that it reads"
     )]

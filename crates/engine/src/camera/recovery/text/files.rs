@@ -204,8 +204,7 @@ const MAX_STEPS: usize = 100_000;
 /// The most parts of a pose above a camera. More are a cycle.
 const MAX_PARTS: usize = 200;
 
-/// Where a part of a scene stands. A camera has no scale: of what is above it, rotations turn it, and scales only move
-/// it.
+/// The place of a part of a scene. A camera has no scale: rotations above it turn it, and scales above it only move it.
 #[derive(Clone, Default)]
 struct Place {
     world: DMat4,
