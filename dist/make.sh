@@ -55,7 +55,6 @@ make_web() (
     # Vectors of 128 bits, as browsers have had them since 2023. Without them the code drawn in vectors is a third of the program.
     export CARGO_ENCODED_RUSTFLAGS+=$'\x1f'-Ctarget-feature=+simd128
     cargo_for "$target" build --profile web --bin camera-lab
-    cargo_for "$target" build --profile web --package camera-lab-unpack
     bindings
     python3 dist/web/assemble.py "$page" "$out"
     cp THIRD-PARTY.md "$out"
@@ -72,7 +71,6 @@ bindings() {
     rm -rf "${page:?}"
     mkdir -p "$page"
     "$CARGO_TARGET_DIR/debug/camera-lab-bindings" "$made/camera-lab.wasm" camera-lab "$page"
-    "$CARGO_TARGET_DIR/debug/camera-lab-bindings" "$made/camera_lab_unpack.wasm" unpack "$page"
 }
 
 # The program for this machine, once for all packages.
@@ -124,7 +122,7 @@ make_all() {
     make_web
     make_tar
     make_deb
-    (cd "$out" && sha256sum THIRD-PARTY.md camera-lab.exe camera-lab.com index.html unpack.js unpack_bg.wasm camera-lab.js camera-lab-element.js lessons.html camera-lab.wasm.lzma \
+    (cd "$out" && sha256sum THIRD-PARTY.md camera-lab.exe camera-lab.com index.html unpack.js camera-lab.js camera-lab-element.js lessons.html camera-lab.wasm.lzma \
         camera-lab.html "camera-lab-$version-$(uname -m)-linux.tar.gz" camera-lab_*.deb >SHA256SUMS)
 }
 

@@ -1,6 +1,6 @@
 """Puts the page together: OUT/index.html with its files, and OUT/camera-lab.html, which holds everything.
 
-assemble.py MADE OUT: in MADE is what wasm-bindgen has written, of the program and of what unpacks it.
+assemble.py MADE OUT: in MADE is the program as wasm-bindgen has written it.
 """
 
 import base64
@@ -34,7 +34,7 @@ SERVED = """<script src="./unpack.js"></script>
   }
   if (cameraLabCanRun()) {
     // Asynchronous even where the scripts did not come, whose names are unknown then.
-    (async () => cameraLabStart(whole('./unpack_bg.wasm'), whole('./camera-lab.wasm.lzma')))()
+    (async () => cameraLabStart(whole('./camera-lab.wasm.lzma')))()
       .catch((why) => why instanceof WebAssembly.CompileError ? cameraLabNoWindow(String(why)) : cameraLabNote('no-program', String(why)));
   }
 </script>"""
@@ -49,31 +49,15 @@ ALONE = """<script>
 <script>
 @PROGRAM_JS@
 </script>
-<script type="application/octet-stream" id="unpack">@UNPACK@</script>
 <script type="application/octet-stream" id="packed">@PACKED@</script>
 <script type="text/plain" id="third-party">@THIRD_PARTY@</script>
 <script>
   async function cameraLabThirdParty() { return document.getElementById('third-party').textContent; }
   if (cameraLabCanRun()) {
-    const held = async (id) => Uint8Array.from(atob(document.getElementById(id).textContent), (c) => c.charCodeAt(0)).buffer;
-    cameraLabStart(held('unpack'), held('packed')).catch((why) => cameraLabNoWindow(String(why)));
+    const held = async () => Uint8Array.from(atob(document.getElementById('packed').textContent), (c) => c.charCodeAt(0)).buffer;
+    cameraLabStart(held()).catch((why) => cameraLabNoWindow(String(why)));
   }
 </script>"""
-
-# Both scripts of wasm-bindgen make one name. After these there are two.
-UNPACK_JS = """let cameraLabUnpacking = (() => {
-@BINDINGS@
-return wasm_bindgen;
-})();
-// Starts the program: what unpacks it, and what is packed.
-async function cameraLabStart(unpack, packed) {
-  await cameraLabUnpacking({ module_or_path: await unpack });
-  const program = cameraLabUnpacking.unpack(new Uint8Array(await packed));
-  // Its memory, some fifty megabytes, is free then.
-  cameraLabUnpacking = null;
-  await wasm_bindgen({ module_or_path: program.buffer });
-}
-"""
 
 
 def page(policy: str, program: str) -> str:
@@ -85,7 +69,9 @@ def page(policy: str, program: str) -> str:
 def packed(program: bytes) -> bytes:
     # Code has no unit of two or four bytes: `pb` = 0. The dictionary holds the whole program.
     how = {"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": 1 << 24, "lc": 4, "lp": 0, "pb": 0, "nice_len": 273}
-    return lzma.compress(program, format=lzma.FORMAT_ALONE, filters=[how])
+    packed = lzma.compress(program, format=lzma.FORMAT_ALONE, filters=[how])
+    # Python leaves the size out, and unpack.js needs it.
+    return packed[:5] + len(program).to_bytes(8, "little") + packed[13:]
 
 
 def base64_of(data: bytes) -> str:
@@ -94,24 +80,21 @@ def base64_of(data: bytes) -> str:
 
 def main(made: pathlib.Path, out: pathlib.Path) -> None:
     program_js = (made / "camera-lab.js").read_text(encoding="utf-8")
-    unpack_js = UNPACK_JS.replace("@BINDINGS@", (made / "unpack.js").read_text(encoding="utf-8"))
+    unpack_js = (pathlib.Path(__file__).parent / "unpack.js").read_text(encoding="utf-8")
     third_party = (pathlib.Path(__file__).parents[2] / "THIRD-PARTY.md").read_text(encoding="utf-8")
     # A script ends at the first of these, wherever it stands.
     assert not any(mark in program_js + unpack_js + third_party for mark in ("</script", "<!--"))
     program = packed((made / "camera-lab_bg.wasm").read_bytes())
-    unpack = (made / "unpack_bg.wasm").read_bytes()
     files = {
         "index.html": page(SERVED_POLICY, SERVED).encode(),
         "camera-lab.js": program_js.encode(),
         "camera-lab.wasm.lzma": program,
         "unpack.js": unpack_js.encode(),
-        "unpack_bg.wasm": unpack,
     }
     alone = page(
         ALONE_POLICY,
         ALONE.replace("@UNPACK_JS@", unpack_js)
         .replace("@PROGRAM_JS@", program_js)
-        .replace("@UNPACK@", base64_of(unpack))
         .replace("@PACKED@", base64_of(program))
         .replace("@THIRD_PARTY@", third_party),
     )
