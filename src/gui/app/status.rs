@@ -4,7 +4,7 @@ use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::FileFlow;
-use crate::gui::kit::{Explained, elide, with_room_before};
+use crate::gui::kit::{Explained, elide, form, with_room_before};
 use camera_lab_desk::{Intent, Message, Model};
 use camera_lab_words::window;
 
@@ -19,7 +19,7 @@ pub fn news(ui: &mut egui::Ui, model: &Model) {
             // A task for the user isn't news that can be missed.
             let said = if matches!(message, Message::TaskFirst) { said.strong() } else { said.weak() };
             let label = Label::new(said).truncate().show_tooltip_when_elided(false);
-            ui.add(label).explained(text);
+            form::announced(&ui.add(label).explained(text));
         }
     });
 }
@@ -33,7 +33,7 @@ pub fn error(ui: &mut egui::Ui, model: &mut Model) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             closed = ui.add(Button::new("✕")).explained(t.close).accessible_name(t.close).clicked();
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                crate::gui::kit::form::complaint(ui, &message.text(model.settings.lang));
+                form::complaint(ui, &message.text(model.settings.lang));
             });
         });
     });

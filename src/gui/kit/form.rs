@@ -195,7 +195,12 @@ pub(in crate::gui) fn erratum(ui: &mut egui::Ui, t: &Texts, text: &str) {
 /// A line with a fault, with a sign, so that it doesn't depend on colour alone.
 pub(in crate::gui) fn complaint(ui: &mut egui::Ui, text: &str) {
     let color = ui.visuals().error_fg_color;
-    ui.add(egui::Label::new(RichText::new(format!("⚠ {text}")).color(color)).wrap());
+    announced(&ui.add(egui::Label::new(RichText::new(format!("⚠ {text}")).color(color)).wrap()));
+}
+
+/// Screen readers read this text when it appears or changes.
+pub(in crate::gui) fn announced(text: &egui::Response) {
+    text.ctx.accesskit_node_builder(text.id, |node| node.set_live(egui::accesskit::Live::Polite));
 }
 
 /// A line for each fault of number fields.

@@ -14,7 +14,7 @@ use crate::camera::{Freedom, Operation};
 use crate::export::format::PictureFormat;
 use crate::figure::variation::varied_by;
 use crate::gui::app::file_flow;
-use crate::gui::app::web::{Page, WAKE, call, is_framed, read_link, window};
+use crate::gui::app::web::{Page, WAKE, call, is_framed, read_link, reader, window};
 use crate::gui::learn::exercises::state::Chosen;
 use crate::lessons::{OpenLesson, numbers_of, shipped};
 use crate::picture::{self, FileOptions, Metadata};
@@ -94,6 +94,9 @@ pub(super) fn asked(page: &mut Page, what: &str, one: String, two: &str) -> Resu
             model.layout.shown = View::ALL.map(|view| views.contains(view));
             model.layout.maximized = None;
         }
+        // Not of the page around this one, but of the script in it.
+        "controls" => WAKE.with_borrow(|ctx| ctx.iter().for_each(egui::Context::enable_accesskit)),
+        "click" | "focus" | "text" | "number" => reader::asked(what, &one, two).ok_or("control")?,
         "figure" => return Ok(file_flow::text_as_shown(model)),
         "numbers" => {
             let report = numbers_of(model.desk.shown.figure()).map_err(|error| said::inspect(lang, &error))?;

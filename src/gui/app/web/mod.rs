@@ -3,6 +3,7 @@
 
 mod interface;
 mod messages;
+mod reader;
 mod store;
 
 use std::cell::{Cell, RefCell};
@@ -16,6 +17,7 @@ use web_sys::{HtmlCanvasElement, Window};
 use crate::appearance::Theme;
 use crate::export::format::FIGURE_ENDINGS;
 use crate::gui::app::file_flow;
+use crate::gui::kit::handheld::PHONE;
 use crate::gui::platform::native;
 use crate::gui::{App, GuiError, LaunchOptions, Start, State};
 use crate::scene::import::MESH_ENDINGS;
@@ -172,12 +174,13 @@ impl Page {
         let mut state = State::new(Start { figure, file, lang, allow_files: false, lesson: None, later: None })?;
         state.sharing.own_address = own_address(&location);
         let width = window.inner_width().ok().and_then(|width| width.as_f64());
-        if !is_framed(&window) && width.is_some_and(|width| width < f64::from(crate::gui::app::menu::PHONE)) {
-            // The pictures need all the available space, until a panel is requested.
+        if !is_framed(&window) && width.is_some_and(|width| width < f64::from(PHONE)) {
+            // The picture needs all the available space, until a panel is requested.
             state.model.settings.panels_mut().wanted = [false; 3];
         }
         let system = system();
         (state.model.settings.theme, state.model.settings.reduce_motion) = system;
+        ctx.add_plugin(reader::Reader::default());
         let mut app = App::new(ctx, state);
         if is_framed(&window) {
             // A figure embedded in a page changes nothing stored in this browser.

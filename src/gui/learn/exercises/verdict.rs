@@ -4,7 +4,7 @@ use eframe::egui::{self, RichText, Ui};
 
 use super::{Sheet, solution};
 use crate::exercises::{self, Ask, MANY_WRONG};
-use crate::gui::kit::{prose, theme};
+use crate::gui::kit::{form, prose, theme};
 use crate::gui::learn::exercises::state::{Chosen, joined};
 use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{Way, lesson_of};
@@ -151,7 +151,8 @@ fn headline(ui: &mut Ui, sheet: Sheet<'_>, ask: &Ask, judged: &exercises::Judged
         _ if ask.places => format!("✗ {}", t.wrong),
         (false, all) => format!("✗ {} ({})", t.wrong, messages::right_of(t.lang, right, all)),
     };
-    ui.add(egui::Label::new(RichText::new(text).strong().color(theme::verdict_color(ui, judged.right))).wrap());
+    let text = RichText::new(text).strong().color(theme::verdict_color(ui, judged.right));
+    form::announced(&ui.add(egui::Label::new(text).wrap()));
 }
 
 /// Reports that all answers are right, once they are.
