@@ -193,14 +193,39 @@ fn on_a_telephone_the_menus_are_in_one_and_everything_in_the_bar_is_on_the_scree
         window.harness.set_size([390.0, 844.0].into());
         window.run();
         let screen = window.harness.ctx.content_rect();
-        let mut bar: Vec<_> = window.written().into_iter().filter(|(_, rect)| rect.max.y < 26.0).collect();
+        let mut bar: Vec<_> = window.written().into_iter().filter(|(_, rect)| rect.max.y < 48.0).collect();
         bar.sort_by(|(_, a), (_, b)| a.min.x.total_cmp(&b.min.x));
-        assert!(bar.len() >= 10 && bar.iter().all(|(_, rect)| screen.contains_rect(*rect)), "{bar:?}");
+        assert!(bar.len() >= 7 && bar.iter().all(|(_, rect)| screen.contains_rect(*rect)), "{bar:?}");
         assert!(bar.windows(2).all(|pair| pair[0].1.max.x < pair[1].1.min.x), "{bar:?}");
         window.click(t.menus);
         window.menu(t.menu_window, Command::ReduceMotion.label(t));
         assert!(window.state().model.settings.reduce_motion);
         assert!(!window.says(t.menu_file), "the menus are closed");
+    }
+}
+
+#[test]
+fn in_a_window_held_in_the_hand_there_is_one_view_and_a_panel_comes_from_below() {
+    for size in [[360.0, 740.0], [820.0, 1180.0]] {
+        let mut window = Window::new(Lang::En);
+        let t = texts(Lang::En);
+        window.harness.set_size(size.into());
+        window.run();
+        let views = |window: &mut Window| window.app_mut().canvas.places().map(|(view, _)| view).collect::<Vec<_>>();
+        assert_eq!(views(&mut window), [View::World]);
+        window.click("Image");
+        assert_eq!(views(&mut window), [View::Image]);
+        // Whether it's open already or not.
+        window.app_mut().state.model.settings.panels_mut().show(Side::Left);
+        window.run();
+        let (_, image) = window.app_mut().canvas.places().next().expect("the image");
+        let tab = window.harness.get_by_label(t.camera_tab).rect();
+        assert!(tab.min.y > image.max.y && tab.height() >= 44.0, "{tab:?} {image:?}");
+        assert!(image.height() > 100.0 && image.width() > 0.9 * size[0], "{image:?}");
+        for name in [t.parameters_panel, t.numbers_panel, t.undo] {
+            let switch = window.harness.get_by_label(name).rect();
+            assert!(switch.width() >= 44.0 && switch.height() >= 44.0, "{name}: {switch:?}");
+        }
     }
 }
 

@@ -16,6 +16,7 @@ use crate::gui::app::file_flow::questions::{Dialog, Purpose};
 use crate::gui::app::file_flow::{self, ask, begin};
 use crate::gui::inspector::state::compare::CompareForm;
 use crate::gui::inspector::{numerics, operations, parameters, values};
+use crate::gui::kit::handheld::{self, side_panel};
 use crate::gui::kit::{Command, Region, context_help, focus, frames, text_field, tooltip};
 use crate::gui::learn::{exercises, lesson};
 use crate::gui::storage::recovery::{self, Decision};
@@ -85,6 +86,7 @@ impl App {
         self.state.model.frame.asked = self.state.learn.asked(&self.state.model);
         // The panels of this frame set the hover.
         self.state.model.frame.hover = PanelHover::default();
+        handheld::fit_controls(ctx);
         self.state.model.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         if let Some(left) = self.state.model.forget_old_news(ctx.input(|input| input.time)) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
@@ -144,6 +146,7 @@ impl App {
     /// The open panels: studies below, parameters at the left, operations and explanations at the right.
     fn side_panels(&mut self, ui: &mut egui::Ui, t: &Texts, with_explanation: bool) {
         let sides = *self.state.model.settings.panels();
+        let lesson = self.state.learn.lesson.is_some();
         if self.state.numerics.shown {
             egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);
@@ -152,19 +155,25 @@ impl App {
             name_handle(ui, "numerics", t.panel_width);
         }
         if sides.is_shown(Side::Left) {
-            egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
-                focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
-                tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
-                parameters::ui(ui, &mut self.state.model);
-            });
+            side_panel(ui.ctx(), egui::Panel::left("parameters"), (256.0, (220.0..=420.0).into()), lesson).show(
+                ui,
+                |ui| {
+                    focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
+                    tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
+                    parameters::ui(ui, &mut self.state.model);
+                },
+            );
             name_handle(ui, "parameters", t.panel_width);
         }
         if sides.is_shown(Side::Right) {
-            egui::Panel::right("numbers").default_size(316.0).size_range(260.0..=520.0).show(ui, |ui| {
-                focus::region(ui, ui.max_rect(), Region::Numbers, t.numbers_panel);
-                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
-                self.right(ui);
-            });
+            side_panel(ui.ctx(), egui::Panel::right("numbers"), (316.0, (260.0..=520.0).into()), lesson).show(
+                ui,
+                |ui| {
+                    focus::region(ui, ui.max_rect(), Region::Numbers, t.numbers_panel);
+                    tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
+                    self.right(ui);
+                },
+            );
             name_handle(ui, "numbers", t.panel_width);
         }
         if sides.is_shown(Side::Explain) && with_explanation {
@@ -177,7 +186,8 @@ impl App {
         // In a presentation the pictures keep more than half of the width.
         let (id, share) = if presenting { ("explain in a presentation", 0.45) } else { ("explain", 1.0) };
         let most = (share * ui.ctx().content_rect().width()).clamp(320.0, 620.0);
-        egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
+        let lesson = self.state.learn.lesson.is_some();
+        side_panel(ui.ctx(), egui::Panel::right(id), (400.0, (320.0..=most).into()), lesson).show(ui, |ui| {
             focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
             tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
             self.explanation(ui);

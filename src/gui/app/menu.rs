@@ -1,17 +1,16 @@
 //! The bar at the top: menus, the name of the figure, and the switches that a lecture needs at once.
 
+use eframe::egui::containers::menu::MenuButton;
 use eframe::egui::{self, Button, RichText, TextStyle};
 
 use super::command::MENUS;
 use crate::gui::app::state::State;
 use crate::gui::app::status;
-use crate::gui::kit::{Command, Explained, elide, with_room_before, written};
+use crate::gui::kit::handheld::PHONE;
+use crate::gui::kit::{Command, Explained, elide, is_handheld, with_room_before, written};
 use crate::gui::learn::Learn;
 use camera_lab_desk::Model;
 use camera_lab_words::window::{self, Texts};
-
-/// Below this width, in points, the menus have no room beside the switches, as on a telephone held upright.
-pub(in crate::gui) const PHONE: f32 = 600.0;
 
 /// From this width on, in points, the most used switches have their words.
 const WORDS: f32 = 1000.0;
@@ -28,6 +27,13 @@ struct Switch {
     /// The sign that replaces the word if the window is narrower than a width, in points.
     sign: Option<(&'static str, f32)>,
     word: fn(&Texts) -> &'static str,
+}
+
+impl Switch {
+    /// The others are in the menus alone.
+    fn on_phone(&self) -> bool {
+        self.sign.is_some() && ![Command::Pipeline, Command::Presentation].contains(&self.command)
+    }
 }
 
 const SWITCHES: &[Switch] = &[
@@ -56,7 +62,9 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         let is_phone = ui.available_width() < PHONE;
         if is_phone {
             // One button, so that the switches have room.
-            ui.menu_button("☰", |ui| chosen = menus(ui, t, state)).response.accessible_name(t.menus);
+            let button = Button::new("☰").min_size(ui.spacing().interact_size);
+            let (button, _) = MenuButton::from_button(button).ui(ui, |ui| chosen = menus(ui, t, state));
+            button.accessible_name(t.menus);
         } else {
             chosen = menus(ui, t, state);
         }
@@ -77,7 +85,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         let switched = with_room_before(ui, middle, |ui| {
             let mut switched = None;
             let width = ui.ctx().content_rect().width();
-            for Switch { command, sign, word } in SWITCHES {
+            for Switch { command, sign, word } in SWITCHES.iter().filter(|switch| !is_phone || switch.on_phone()) {
                 let text = sign.filter(|(_, least)| width < *least).map_or_else(|| word(t), |(text, _)| text);
                 let on = command.is_on(state).unwrap_or(false);
                 if switch(ui, t, &state.model, *command, text, (command.is_enabled(state), on)) {
@@ -145,6 +153,7 @@ fn switch(
     let keys = keys(ui, model, command).map(|keys| format!(" ({keys})"));
     let hint = format!("{}{}\n{}", command.label(t), keys.unwrap_or_default(), command.hint(t));
     let button = Button::selectable(on, sign);
+    let button = if is_handheld(ui.ctx()) { button.min_size(ui.spacing().interact_size) } else { button };
     ui.add_enabled(enabled, button)
         .explained(&hint)
         .explained_disabled(&hint)

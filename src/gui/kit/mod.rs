@@ -17,6 +17,7 @@ pub(super) mod dialog_buttons;
 pub(super) mod elide;
 pub(super) mod focus;
 pub(super) mod form;
+pub(in crate::gui) mod handheld;
 pub mod keys;
 pub(super) mod mathematics;
 pub mod number_field;
@@ -34,6 +35,7 @@ pub(in crate::gui) use form::{
     TEXT_LINE, VectorField, alternatives, choice, choice_row, complain, complaint, erratum, kept_section, more, row,
     section, toggle,
 };
+pub(in crate::gui) use handheld::is_handheld;
 pub(in crate::gui) use keys::{Command, written};
 pub(in crate::gui) use mathematics::{Both, Formula, Links, brackets, chain};
 pub(in crate::gui) use number_field::{FieldError, FieldOutput, NumberField, Step, whole};

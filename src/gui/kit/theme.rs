@@ -136,6 +136,9 @@ pub fn install_style(ctx: &egui::Context) {
     ctx.options_mut(|options| options.zoom_with_keyboard = false);
 }
 
+/// The least size of a control for a pointer, in points.
+pub(in crate::gui) const INTERACT_SIZE: egui::Vec2 = egui::vec2(32.0, 22.0);
+
 fn sizes(style: &mut Style) {
     style.text_styles = [
         (TextStyle::Small, FontId::proportional(10.5)),
@@ -148,7 +151,7 @@ fn sizes(style: &mut Style) {
     let spacing = &mut style.spacing;
     spacing.item_spacing = egui::vec2(6.0, 4.0);
     spacing.button_padding = egui::vec2(6.0, 2.0);
-    spacing.interact_size = egui::vec2(32.0, 22.0);
+    spacing.interact_size = INTERACT_SIZE;
     spacing.icon_width = 15.0;
     spacing.tooltip_width = 340.0;
     spacing.scroll = egui::style::ScrollStyle {

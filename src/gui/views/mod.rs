@@ -49,7 +49,8 @@ use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
+    Align2, Button, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, UiBuilder,
+    WidgetInfo, pos2,
 };
 
 use self::arrange::{Axis, Framed, Shares, arrange, automatic};
@@ -62,7 +63,7 @@ use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use crate::appearance::{Rgba, Samples};
 use crate::figure::{Explanation, Observer};
-use crate::gui::kit::{Command, Region, focus, frames};
+use crate::gui::kit::{Command, Region, focus, frames, is_handheld};
 use crate::gui::views::arrange::auto_observer::Auto;
 use crate::gui::views::arrange::title::{Title, TitleAction};
 use crate::gui::views::highlight::Highlight;
@@ -257,7 +258,15 @@ impl Canvas {
         self.shot = model.shot(std::mem::take(&mut self.shot.pictures));
         self.shot.pictures.truncate(MAX_PICTURES);
         self.pictures.resize_with(self.shot.pictures.len(), ScreenPicture::default);
-        let mut panes = self.panes(ui, pictures, model, texts);
+        let is_small = model.settings.presentation && pictures.width() < ROOM_FOR_SEVERAL;
+        let asks_for_place = inputs.placing.as_ref().is_some_and(|placing| placing.is_open);
+        let alone =
+            (is_small || is_handheld(&ctx)).then(|| if asks_for_place { View::Image } else { model.main_picture() });
+        let pictures = match alone {
+            Some(only) if is_handheld(&ctx) && !model.settings.bare => Self::tabs(ui, pictures, model, (only, texts)),
+            _ => pictures,
+        };
+        let mut panes = self.panes(ui, pictures, model, (alone, texts));
         self.pictures.iter_mut().for_each(|picture| picture.place = None);
         for pane in &panes {
             self.pictures[pane.picture].place = Some(pane.rect.rect);
@@ -301,7 +310,7 @@ impl Canvas {
         if self.rendering.running().is_some() || model.scene_cache.running().is_some() || !inputs.of_files.is_empty() {
             ctx.request_repaint_after(TELL);
         }
-        status.hidden = if model.layout.maximized.is_none() {
+        status.hidden = if model.layout.maximized.is_none() && !is_handheld(&ctx) {
             View::ALL.into_iter().filter(|p| !model.layout.shown[p.index()]).collect()
         } else {
             Vec::new()
@@ -353,9 +362,29 @@ impl Canvas {
         ui.request_repaint();
     }
 
+    /// A tab for each picture, of which one is `shown`. Returns the room below.
+    fn tabs(ui: &mut Ui, room: Rect, model: &mut Model, (shown, texts): (View, &CanvasTexts)) -> Rect {
+        let (tabs, below) = room.split_top_bottom_at_y(room.top() + ui.spacing().interact_size.y);
+        let mut tabs = ui.new_child(UiBuilder::new().max_rect(tabs));
+        tabs.columns(View::ALL.len(), |columns| {
+            for (ui, view) in columns.iter_mut().zip(View::ALL) {
+                let button = Button::selectable(model.layout.maximized.unwrap_or(shown) == view, texts.view(view));
+                if ui.add_sized(ui.available_size(), button).clicked() {
+                    model.layout.maximized = Some(view);
+                }
+            }
+        });
+        below
+    }
+
     /// Lays the pictures out, with their titles and the bars between them.
-    fn panes(&mut self, ui: &mut Ui, room: Rect, model: &mut Model, texts: &CanvasTexts) -> Vec<Pane> {
-        let alone = (model.settings.presentation && room.width() < ROOM_FOR_SEVERAL).then(|| model.main_picture());
+    fn panes(
+        &mut self,
+        ui: &mut Ui,
+        room: Rect,
+        model: &mut Model,
+        (alone, texts): (Option<View>, &CanvasTexts),
+    ) -> Vec<Pane> {
         let is_visible = |view| {
             model.layout.is_shown(view) && (model.layout.maximized.is_some() || alone.is_none_or(|only| only == view))
         };
@@ -387,9 +416,11 @@ impl Canvas {
             }
         }
         let mut panes = Vec::new();
+        let handheld = is_handheld(ui.ctx());
         for (picture, rect) in rects {
             let view = self.shot.pictures[picture].kind;
-            let height = ui.spacing().interact_size.y + 4.0;
+            // Of one picture the tabs say the name, and its menu has the rest.
+            let height = if handheld { 0.0 } else { ui.spacing().interact_size.y + 4.0 };
             let (title, below) = rect.split_top_bottom_at_y((rect.top() + height).min(rect.bottom()));
             let heading = Title {
                 view,
@@ -406,7 +437,7 @@ impl Canvas {
                 undistorted: undistorted(model).filter(|_| view == View::Image),
                 section: (view == View::World).then_some(model.desk.shown.figure().world.section),
             };
-            let mut action = heading.show(ui, title);
+            let mut action = if handheld { None } else { heading.show(ui, title) };
             let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), model.settings.stroke_scale());
             let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
             let description =

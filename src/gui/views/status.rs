@@ -8,7 +8,7 @@ use super::brief::Brief;
 use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
-use crate::gui::kit::{Explained, elide, with_room_before};
+use crate::gui::kit::{Explained, elide, is_handheld, with_room_before};
 use crate::views::{Arrangement, View};
 use camera_lab_words::window::canvas::CanvasTexts;
 
@@ -66,7 +66,7 @@ fn lines(ui: &Ui, width: f32, presenting: bool) -> u8 {
         1
     } else if width >= 120.0 * em {
         1
-    } else if width >= 46.0 * em {
+    } else if width >= 46.0 * em || is_handheld(ui.ctx()) {
         2
     } else {
         3
@@ -155,6 +155,10 @@ impl Status {
             return;
         }
         let said = elide::parts(&self.message, |text| elide::width(ui, &font(ui), text) <= room);
+        if said != self.message && !self.warning && is_handheld(ui.ctx()) {
+            // A hint for a pointer.
+            return;
+        }
         let mut text = RichText::new(&said).small();
         if self.warning {
             text = text.color(ui.visuals().warn_fg_color).strong();

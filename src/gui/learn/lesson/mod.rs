@@ -17,7 +17,7 @@ pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
 pub(in crate::gui) use speaker::window as speaker_window;
 
 use crate::figure::{Explanation, Localized};
-use crate::gui::kit::{Command, Explained, Region, focus, prose, theme};
+use crate::gui::kit::{Command, Explained, Region, focus, is_handheld, prose, theme};
 use crate::gui::learn::exercises::state::Chosen;
 use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{self, Lesson, Link, Task};
@@ -301,8 +301,11 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
     );
     let mut command = None;
     let mut go_to = None;
+    let is_small = is_handheld(ui.ctx());
+    let sign = |sign: &'static str, words: String| if is_small { sign.to_owned() } else { words };
     ui.horizontal(|ui| {
-        if ui.add_enabled(step > 0, Button::new(format!("◀ {}", t.back))).explained(t.back_hint).clicked() {
+        let back = Button::new(sign("◀", format!("◀ {}", t.back)));
+        if ui.add_enabled(step > 0, back).explained(t.back_hint).accessible_name(t.back).clicked() {
             command = Some(Command::PreviousFigure);
         }
         let (label, hint) = if may_go_on { (t.next, t.next_hint) } else { (t.pass, t.pass_hint) };
@@ -314,7 +317,7 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
             }
         } else if let Some(next) = after(&lesson) {
             let name = format!("{}: {} ▶", t.go_on_with, told(lang, &next.title));
-            if ui.button(name).clicked() {
+            if ui.button(sign("▶", name.clone())).accessible_name(name).clicked() {
                 model.request(Action::lesson(next, 0));
             }
         }
@@ -339,11 +342,14 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
             {
                 command = Some(Command::WriteLesson);
             }
-            if ui.add_enabled(moved, Button::new(t.again)).explained(t.again_hint).clicked() {
+            let again = Button::new(sign("↺", t.again.to_owned()));
+            if ui.add_enabled(moved, again).explained(t.again_hint).accessible_name(t.again).clicked() {
                 command = Some(Command::StepAgain);
             }
-            let title = RichText::new(told(lang, &lesson.title)).weak();
-            ui.add(egui::Label::new(title).truncate().selectable(false));
+            if !is_small {
+                let title = RichText::new(told(lang, &lesson.title)).weak();
+                ui.add(egui::Label::new(title).truncate().selectable(false));
+            }
         });
     });
     if let Some(step) = go_to {
