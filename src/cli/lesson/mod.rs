@@ -24,7 +24,7 @@ use crate::figure::Figure;
 use crate::figure::write::to_toml;
 use crate::inspect::json_text;
 use crate::lessons::{
-    Goal, Lesson, Link, OpenLesson, Part, Question, Seen, Step, Subject, Task, exercises_of, families_of,
+    Goal, Lesson, Link, OpenLesson, Part, Question, Seen, Step, Subject, Task, exercise_minutes, exercises_of, families_of,
     objects_named, place, shipped,
 };
 use crate::picture::{self, Composite, FileOptions};
@@ -98,6 +98,7 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
                 "id": lesson.id,
                 "title": texts::told(written, &lesson.title),
                 "minutes": lesson.minutes,
+                "exercise_minutes": exercise_minutes(lesson),
                 "families": families_of(lesson),
                 "exercises": exercises_of(lesson),
                 "steps": lesson.steps.len(),
