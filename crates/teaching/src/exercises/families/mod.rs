@@ -32,6 +32,8 @@ pub(super) fn without_coincidences(family: &str, seed: u64, make: fn(&mut Random
         }
         exercise = make(&mut random);
     }
+    // A guess at the same place each time is no way to the answer.
+    exercise.asks = exercise.asks.into_iter().map(|ask| ask.shuffled(&mut random)).collect();
     exercise
 }
 
