@@ -73,8 +73,11 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     let text = match args.format {
         TableFormat::Json => json_text(&serde_json::to_value(&lines).unwrap_or_default()),
         TableFormat::Text => {
-            let minutes = |line: &AskLine<'_>| line.minutes.map_or_else(String::new, |minutes| format!("{minutes} min"));
-            let text = |line: &AskLine<'_>| format!("{:<20} {:<30} {:>6}  {}\n", line.id, line.source, minutes(line), line.title);
+            let minutes =
+                |line: &AskLine<'_>| line.minutes.map_or_else(String::new, |minutes| format!("{minutes} min"));
+            let text = |line: &AskLine<'_>| {
+                format!("{:<20} {:<30} {:>6}  {}\n", line.id, line.source, minutes(line), line.title)
+            };
             lines.iter().map(text).collect()
         }
     };

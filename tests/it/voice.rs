@@ -366,11 +366,12 @@ fn texts_read_as_native_ones_do() {
 fn tells_a_cause(text: &str) -> bool {
     // *And so does the depth* compares, and *so far* counts.
     const OTHERS: [&str; 20] = [
-        "is", "are", "was", "were", "has", "have", "had", "does", "do", "did", "will", "would", "can", "could",
-        "much", "many", "far", "that", "long", "as",
+        "is", "are", "was", "were", "has", "have", "had", "does", "do", "did", "will", "would", "can", "could", "much",
+        "many", "far", "that", "long", "as",
     ];
     let lower = text.to_lowercase();
-    let after_so = |so: &str| lower.split(so).skip(1).filter_map(|rest| words_of(rest).next().map(str::to_owned)).collect();
+    let after_so =
+        |so: &str| lower.split(so).skip(1).filter_map(|rest| words_of(rest).next().map(str::to_owned)).collect();
     let after: Vec<String> = [", so ", ". so "].into_iter().flat_map(|so| -> Vec<String> { after_so(so) }).collect();
     lower.contains("because") || after.iter().any(|word| !OTHERS.contains(&word.as_str()))
 }
@@ -378,8 +379,21 @@ fn tells_a_cause(text: &str) -> bool {
 /// True if a Portuguese text has a word for a cause.
 fn has_connective(text: &str) -> bool {
     const CONNECTIVES: [&str; 15] = [
-        "por isso", "por que", "por causa", "para que", "de modo que", "já que", "uma vez que", "ou seja", "porque",
-        "pois", "então", "logo", "portanto", "assim", "daí",
+        "por isso",
+        "por que",
+        "por causa",
+        "para que",
+        "de modo que",
+        "já que",
+        "uma vez que",
+        "ou seja",
+        "porque",
+        "pois",
+        "então",
+        "logo",
+        "portanto",
+        "assim",
+        "daí",
     ];
     let words: Vec<&str> = words_of(text).collect();
     let text = format!(" {} ", words.join(" ").to_lowercase());
@@ -399,7 +413,9 @@ fn a_cause_in_english_is_one_in_portuguese() {
     for (english, portuguese) in of_language(Lang::En).zip(of_language(Lang::PtBr)) {
         assert_eq!(english.len(), portuguese.len(), "a text in one language has its place in the other");
         let pairs = english.iter().zip(&portuguese);
-        lost.extend(pairs.filter(|(en, pt)| tells_a_cause(en) && !has_connective(pt)).map(|(en, pt)| format!("{en}\n  {pt}")));
+        lost.extend(
+            pairs.filter(|(en, pt)| tells_a_cause(en) && !has_connective(pt)).map(|(en, pt)| format!("{en}\n  {pt}")),
+        );
     }
     assert!(lost.is_empty(), "without a connective such as *por isso* or *pois*:\n{}", lost.join("\n"));
     assert!(tells_a_cause("w is 0, so it has no image") && !tells_a_cause("It grows, and so does w. So far, so good."));

@@ -24,8 +24,8 @@ use crate::figure::Figure;
 use crate::figure::write::to_toml;
 use crate::inspect::json_text;
 use crate::lessons::{
-    Goal, Lesson, Link, OpenLesson, Part, Question, Seen, Step, Subject, Task, exercise_minutes, exercises_of, families_of,
-    objects_named, place, shipped,
+    Goal, Lesson, Link, OpenLesson, Part, Question, Seen, Step, Subject, Task, exercise_minutes, exercises_of,
+    families_of, objects_named, place, shipped,
 };
 use crate::picture::{self, Composite, FileOptions};
 use crate::progress::{Progress, at_once};

@@ -73,9 +73,7 @@ use crate::gui::views::pointer::probe_steps::Click;
 use crate::gui::views::pointer::selection_gizmo::Movable;
 use crate::gui::views::pointer::vertex_name::VertexNames;
 use crate::pipeline::OverBudget;
-use crate::views::{
-    Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown,
-};
+use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
 use camera_lab_desk::{Action, Message, Model, ObserverChange, Placing, Running};
 use camera_lab_words::pictures::labels;
 use camera_lab_words::window::canvas::CanvasTexts;

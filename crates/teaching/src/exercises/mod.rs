@@ -89,12 +89,7 @@ pub const SECOND: &str = "second";
 pub type Free = std::collections::BTreeMap<String, f64>;
 
 impl Entry {
-    const fn of_notes(
-        id: &'static str,
-        source: &'static str,
-        minutes: u16,
-        make: fn(u64, &Free) -> Exercise,
-    ) -> Self {
+    const fn of_notes(id: &'static str, source: &'static str, minutes: u16, make: fn(u64, &Free) -> Exercise) -> Self {
         Self { id: Cow::Borrowed(id), source, minutes: Some(minutes), is_family: false, make: Make::Shipped(make) }
     }
 

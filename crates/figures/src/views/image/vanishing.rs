@@ -53,7 +53,8 @@ pub(super) fn share_beside(request: &Request, most: PixelRect, size: Size) -> f6
     let points = DIRECTIONS.iter().filter_map(|(direction, _)| vanishing_point(&request.camera, *direction));
     let away = points.map(|point| (2.0 * point - low - high).abs() / (high - low));
     let near = away.filter(|away| away.max_element() < FARTHEST);
-    let [whole, most] = [[size.width, size.height], [most.width, most.height]].map(|[w, h]| DVec2::new(w.into(), h.into()));
+    let [whole, most] =
+        [[size.width, size.height], [most.width, most.height]].map(|[w, h]| DVec2::new(w.into(), h.into()));
     near.map(|away| (whole / (ROOM * away * most)).min_element()).fold(1.0, f64::min)
 }
 

@@ -99,7 +99,9 @@ pub static ENTRIES: &[Entry] = &[
     Entry::family("pixel", "[0] §5.5, (5.22)", 8, points::pixel),
     Entry::family("ray", "[0] §5.4, (5.17)–(5.23)", 10, points::ray),
     Entry::family("viewport", "[0] §5.5, (5.24), (5.25)", 10, points::viewport),
-    Entry::family("elevation", "[0] §5.6", 10, |random| turn(random, Operation::Elevation, &["≠ elevation"], &[C, N, V])),
+    Entry::family("elevation", "[0] §5.6", 10, |random| {
+        turn(random, Operation::Elevation, &["≠ elevation"], &[C, N, V])
+    }),
     Entry::family("azimuth", "[0] §5.6", 10, |random| turn(random, Operation::Azimuth, &["≠ azimuth"], &[C, N, U])),
     Entry::family("roll", "[0] §5.6", 8, |random| turn(random, Operation::Roll, &[], &[U, V])),
     Entry::family("yaw", "[0] §5.6", 10, |random| turn(random, Operation::Yaw, &["≠ yaw"], &[PF, N, U])),
