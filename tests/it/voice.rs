@@ -378,7 +378,7 @@ fn tells_a_cause(text: &str) -> bool {
 
 /// True if a Portuguese text has a word for a cause.
 fn has_connective(text: &str) -> bool {
-    const CONNECTIVES: [&str; 15] = [
+    const CONNECTIVES: [&str; 16] = [
         "por isso",
         "por que",
         "por causa",
@@ -387,6 +387,7 @@ fn has_connective(text: &str) -> bool {
         "já que",
         "uma vez que",
         "ou seja",
+        "isto é",
         "porque",
         "pois",
         "então",
