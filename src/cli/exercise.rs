@@ -55,6 +55,7 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
         id: &'a str,
         source: &'a str,
         title: &'a str,
+        minutes: Option<u16>,
         family: bool,
     }
     let written = written(args.lang);
@@ -65,12 +66,20 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
             id: &entry.id,
             source: entry.source,
             title: texts::title(written, entry),
+            minutes: entry.minutes,
             family: entry.is_family,
         })
         .collect();
     let text = match args.format {
         TableFormat::Json => json_text(&serde_json::to_value(&lines).unwrap_or_default()),
-        TableFormat::Text => lines.iter().map(|l| format!("{:<20} {:<30} {}\n", l.id, l.source, l.title)).collect(),
+        TableFormat::Text => {
+            let minutes =
+                |line: &AskLine<'_>| line.minutes.map_or_else(String::new, |minutes| format!("{minutes} min"));
+            let text = |line: &AskLine<'_>| {
+                format!("{:<20} {:<30} {:>6}  {}\n", line.id, line.source, minutes(line), line.title)
+            };
+            lines.iter().map(text).collect()
+        }
     };
     print(text.as_bytes(), lang)
 }

@@ -7,16 +7,20 @@ use std::time::Duration;
 
 use camera_lab::appearance::Samples;
 use camera_lab::exercises::{self, Ask, Exercise, Free};
-use camera_lab::figure::{Explanation, Figure, NamedPoint, ShownProbe};
+use camera_lab::export::format::PictureFormat;
+use camera_lab::figure::{Explanation, Figure, Measure, Measured, NamedPoint, ShownProbe};
+use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::gui::learn::exercises::state::Chosen;
 use camera_lab::gui::{Start, State};
 use camera_lab::lessons::{OpenLesson, Task, filled, numbers_of, shipped};
 use camera_lab::numbers::significant;
-use camera_lab::views::View;
+use camera_lab::views::{View, Views};
 use camera_lab_words::Lang;
 use camera_lab_words::learn::exercises as said;
+use eframe::egui::Key;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
+use super::files::Folder;
 use super::window::Window;
 use crate::words::en;
 
@@ -155,6 +159,38 @@ fn no_exercise_is_answered_by_the_screen() {
         all.extend(found.into_iter().map(|leak| format!("{}: {leak}", entry.id)));
     }
     assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+#[test]
+fn neither_camera_check_nor_examine_nor_exported_labels_answer() {
+    let (_, exercise) = super::exercises::made("window", 2);
+    let mut figure = exercise.subject.figure.clone();
+    figure.show.measure = vec![Measured::Dimension(Measure::Height)];
+    let mut window = window(figure, None);
+    window.app_mut().state.file_flow.native = false;
+    window.app_mut().state.model.show_explanation(Explanation::Exercises);
+    window.app_mut().state.learn.exercises.work_on(Chosen { id: "window".to_owned(), seed: 2 });
+    window.run();
+    window.app_mut().state.file_flow.dialog = Some(Dialog::Coach);
+    window.run();
+    assert!(window.says(en::COACH.coach) && !window.says(en::COACH.findings));
+    window.app_mut().state.file_flow.dialog = None;
+    window.command_key(Key::Num9);
+    window.run();
+    assert!(window.says(en::THIS_FIGURE.tab) && !window.says(en::THIS_FIGURE.study));
+    let folder = Folder::new("asked-export");
+    let path = folder.file("world.svg");
+    window.command_key(Key::E);
+    let Some(Dialog::Export(mut export)) = window.state().file_flow.dialog.clone() else { panic!("no dialog") };
+    (export.what, export.format) = (Views::One(View::World), PictureFormat::Svg);
+    window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
+    window.run();
+    window.click(en::WINDOW.export_action);
+    window.choose(&path);
+    window.wait(|_| path.exists());
+    let drawn = std::fs::read_to_string(&path).unwrap();
+    let height = exercise.asks[0].expected().table().unwrap().entries[0];
+    assert!(drawn.contains("= ?") && !drawn.contains(&format!("= {}", significant(height, 4))), "{height}");
 }
 
 #[test]

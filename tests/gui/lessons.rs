@@ -64,9 +64,9 @@ fn the_question_of_a_lesson_that_is_closed_leaves_the_list_of_exercises() {
 
 #[test]
 fn a_question_is_answered_before_the_next_step_is_shown() {
-    let mut window = playing(14, 6, Lang::En);
+    let mut window = playing(16, 6, Lang::En);
     // A question without a picture that answers it.
-    let lesson = &shipped()[14].lesson;
+    let lesson = &shipped()[16].lesson;
     let Some(Task::Question(entry)) = &lesson.steps[6].task else { panic!("a question") };
     let exercise = entry.exercise(0, &Default::default());
     let ask = &exercise.asks[0];
@@ -97,8 +97,8 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
 #[test]
 fn a_wrong_answer_gets_a_reason_in_both_languages() {
     for lang in [Lang::En, Lang::PtBr] {
-        let mut window = playing(14, 6, lang);
-        let Some(Task::Question(entry)) = &shipped()[14].lesson.steps[6].task else { panic!("a question") };
+        let mut window = playing(16, 6, lang);
+        let Some(Task::Question(entry)) = &shipped()[16].lesson.steps[6].task else { panic!("a question") };
         let exercise = entry.exercise(0, &Default::default());
         let ask = &exercise.asks[0];
         let mistake = &ask.own_mistakes[0];

@@ -12,7 +12,7 @@ use camera_lab::picture::Paragraph;
 use camera_lab::scene::no_files;
 use camera_lab::views::{Request, SharedScene, Size, View, Views, scene_of};
 use camera_lab_words::handout::{self, HandoutOptions, Solutions};
-use camera_lab_words::learn::{exercise_sheet, lessons as words};
+use camera_lab_words::learn::{exercise_sheet, exercises as said, lessons as words};
 use camera_lab_words::pictures::labels;
 use camera_lab_words::why::notes;
 use camera_lab_words::{Lang, messages, told};
@@ -175,7 +175,7 @@ fn the_lessons_of_the_guides_are_good() {
 
 #[test]
 fn every_step_of_the_lessons_of_the_program_is_good() {
-    assert_eq!(shipped().len(), 18, "each file is a lesson");
+    assert_eq!(shipped().len(), 20, "each file is a lesson");
     let ids: Vec<&str> = shipped().iter().map(|shipped| shipped.lesson.id.as_str()).collect();
     let mut seen = Seen::default();
     for lesson in shipped().iter().map(|shipped| &shipped.lesson) {
@@ -248,6 +248,7 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
                     let at_first = Subject { figure: &step.figure, camera: &camera, scene: &scene };
                     assert!(!goal.is_reached(at_first, &mut seen), "{place} is reached from the start");
                     let after = goal.reached_from(&step.figure, &camera).unwrap();
+                    let scene = scene_of(&after.figure, &mut no_files, &Default::default()).unwrap();
                     let there = Subject { figure: &after.figure, camera: &after.camera, scene: &scene };
                     assert!(!goal.way.is_empty() && goal.is_reached(there, &mut seen), "{place} cannot be reached");
                 }
@@ -303,6 +304,55 @@ fn right_answers_have_no_favourite_place_among_three() {
     }
     let third = places.iter().sum::<usize>() / places.len();
     assert!(places.iter().all(|place| place.abs_diff(third) <= 3), "{places:?}");
+}
+
+/// A question names each numbered equation: in its step, in itself, or in the reason of its answer.
+#[test]
+fn every_numbered_equation_is_asked() {
+    let mut asked = std::collections::BTreeSet::new();
+    for step in shipped().iter().flat_map(|shipped| &shipped.lesson.steps) {
+        let Some(Task::Question(entry)) = &step.task else { continue };
+        let exercise = entry.exercise(0, &Default::default());
+        let ask = &exercise.asks[0];
+        let because = ask.because.as_ref().map(|because| because.en.clone()).unwrap_or_default();
+        let text = words::text(Lang::En, step) + &said::ask(Lang::En, &exercise, ask) + &because;
+        asked.extend((1..=25).filter(|n| text.contains(&format!("(5.{n})"))));
+    }
+    let missing: Vec<u8> = (1..=25).filter(|n| !asked.contains(n)).collect();
+    assert!(missing.is_empty(), "no question of a lesson names (5.n) for n = {missing:?}");
+}
+
+/// A guess at one place doesn't pay in families either: the order of choices comes from the seed.
+#[test]
+fn families_put_their_choices_in_an_order_of_the_seed() {
+    let mut compared = 0;
+    for entry in exercises::entries().filter(|entry| entry.is_family) {
+        let mut places: Vec<Vec<usize>> = Vec::new();
+        for seed in 0..40 {
+            let exercise = entry.exercise(seed, &Default::default());
+            let choices = exercise.asks.iter().filter(|ask| matches!(ask.kind, Kind::Choice(_)));
+            for (n, ask) in choices.enumerate() {
+                let (Expected::Choice(right, ..), Kind::Choice(names)) = (ask.expected(), &ask.kind) else { panic!() };
+                assert!(exercises::check(entry, &exercise, ask, &names[*right]).unwrap().right, "{} {seed}", entry.id);
+                places.resize(places.len().max(n + 1), Vec::new());
+                places[n].resize(names.len(), 0);
+                places[n][*right] += 1;
+            }
+        }
+        for places in places {
+            compared += 1;
+            assert!(places.iter().all(|count| *count > 0), "{}: {places:?}", entry.id);
+        }
+    }
+    assert!(compared >= 5, "{compared}");
+}
+
+#[test]
+fn the_minutes_of_a_lesson_and_of_its_exercises_are_told_apart() {
+    let lesson = |id: &str| &shipped().iter().find(|shipped| shipped.lesson.id == id).unwrap().lesson;
+    // `view-matrix` and II.
+    assert_eq!(words::with_minutes(Lang::En, lesson("view")), "From world to view (9 min, and 28 for the exercises)");
+    assert_eq!(words::with_minutes(Lang::PtBr, lesson("view")), "Do mundo à vista (9 min, e 28 para os exercícios)");
 }
 
 /// It stands in the file once, and the text of one step shows it again.
@@ -430,7 +480,7 @@ fn a_lesson_has_a_plan_and_questions_around_it() {
 fn the_command_line_lists_shows_checks_and_draws() {
     let bench = Bench::new("lessons");
     let list = bench.run(&["lesson", "list", "--format", "json"]).json();
-    assert_eq!(list.as_array().unwrap().len(), 18);
+    assert_eq!(list.as_array().unwrap().len(), 20);
     assert_eq!(list[0]["id"], "camera");
     let show = bench.run(&["lesson", "show", "basis", "--format", "json"]).json();
     let steps = show["steps"].as_array().unwrap();
@@ -471,7 +521,7 @@ fn the_command_line_lists_shows_checks_and_draws() {
     );
     assert!(bench.run(&["lesson", "render", "small.toml", "-o", "a.png"]).refused(2).contains("a folder"));
     let listed = bench.run(&["lesson", "list", "--folder", ".", "--format", "json"]).json();
-    assert_eq!(listed[18]["id"], "small");
+    assert_eq!(listed[20]["id"], "small");
 
     bench.write("small.toml", LESSON.replace("near = 2", "near = -2"));
     let refused = bench.run(&["lesson", "check", "small.toml"]);

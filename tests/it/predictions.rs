@@ -189,7 +189,7 @@ fn marks() -> Vec<(String, [String; 2], Value)> {
             marks.push((shipped.lesson.id.clone(), texts, place.as_value().unwrap().clone()));
         }
     }
-    assert_eq!(marks.len(), 18, "one in each lesson");
+    assert_eq!(marks.len(), 20, "one in each lesson");
     marks
 }
 

@@ -61,8 +61,8 @@ fn window(lang: Lang) -> String {
     prose(&words(lang).join("\n\n"))
 }
 
-/// The texts of the lessons.
-fn lessons(lang: Lang) -> String {
+/// The texts of the lessons, in the order of their files.
+fn lessons(lang: Lang) -> Vec<String> {
     fn texts(value: &toml_edit::Value, key: &str, found: &mut Vec<String>) {
         match value {
             toml_edit::Value::InlineTable(table) if table.contains_key("en") => {
@@ -85,11 +85,13 @@ fn lessons(lang: Lang) -> String {
     }
     let key = if lang == Lang::En { "en" } else { "pt-BR" };
     let mut found = Vec::new();
-    for path in files("assets/lessons", ".toml") {
+    let mut all = files("assets/lessons", ".toml");
+    all.sort();
+    for path in all {
         let document: toml_edit::DocumentMut = fs::read_to_string(path).unwrap().parse().unwrap();
         tables(document.as_item(), key, &mut found);
     }
-    prose(&found.join("\n\n"))
+    found
 }
 
 /// The doc comments of a crate.
@@ -309,7 +311,7 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
                 NATIVE,
             ),
             ("window", window(lang), Bounds { chains: 23.0, ..NATIVE }),
-            ("lessons", lessons(lang), NATIVE),
+            ("lessons", prose(&lessons(lang).join("\n\n")), NATIVE),
             (
                 "exercises and reference pages",
                 ["assets/exercises/en.md", "assets/notes/en.md"].map(keyed_page).join("\n\n"),
@@ -339,7 +341,7 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
             ),
             ("other docs", pages(&["docs/cameras.pt-BR.md", "docs/numerics.pt-BR.md"]), NATIVE_PT),
             ("window", window(lang), Bounds { chains: 23.0, ..NATIVE_PT }),
-            ("lessons", lessons(lang), NATIVE_PT),
+            ("lessons", prose(&lessons(lang).join("\n\n")), NATIVE_PT),
             (
                 "exercises and reference pages",
                 ["assets/exercises/pt-BR.md", "assets/notes/pt-BR.md"].map(keyed_page).join("\n\n"),
@@ -358,6 +360,67 @@ fn texts_read_as_native_ones_do() {
         let counts = groups.iter().map(|(name, text, _)| format!("{name}: {:.2?}", habits(text, lang)));
         assert!(faults.is_empty(), "{lang:?}\n{}\nall:\n{}", faults.join("\n"), counts.collect::<Vec<_>>().join("\n"));
     }
+}
+
+/// True if an English text says why: *because*, or *so* before a sentence.
+fn tells_a_cause(text: &str) -> bool {
+    // *And so does the depth* compares, and *so far* counts.
+    const OTHERS: [&str; 20] = [
+        "is", "are", "was", "were", "has", "have", "had", "does", "do", "did", "will", "would", "can", "could", "much",
+        "many", "far", "that", "long", "as",
+    ];
+    let lower = text.to_lowercase();
+    let after_so =
+        |so: &str| lower.split(so).skip(1).filter_map(|rest| words_of(rest).next().map(str::to_owned)).collect();
+    let after: Vec<String> = [", so ", ". so "].into_iter().flat_map(|so| -> Vec<String> { after_so(so) }).collect();
+    lower.contains("because") || after.iter().any(|word| !OTHERS.contains(&word.as_str()))
+}
+
+/// True if a Portuguese text has a word for a cause.
+fn has_connective(text: &str) -> bool {
+    const CONNECTIVES: [&str; 16] = [
+        "por isso",
+        "por que",
+        "por causa",
+        "para que",
+        "de modo que",
+        "já que",
+        "uma vez que",
+        "ou seja",
+        "isto é",
+        "porque",
+        "pois",
+        "então",
+        "logo",
+        "portanto",
+        "assim",
+        "daí",
+    ];
+    let words: Vec<&str> = words_of(text).collect();
+    let text = format!(" {} ", words.join(" ").to_lowercase());
+    CONNECTIVES.iter().any(|word| text.contains(&format!(" {word} ")))
+}
+
+#[test]
+fn a_cause_in_english_is_one_in_portuguese() {
+    let lines = |path: &str| -> Vec<String> {
+        fs::read_to_string(Path::new(ROOT).join(path)).unwrap().lines().map(str::to_owned).collect()
+    };
+    let of_language = |lang: Lang| {
+        let pages = ["exercises", "notes"].map(|folder| lines(&format!("assets/{folder}/{}.md", lang.tag())));
+        [words(lang), lessons(lang)].into_iter().chain(pages)
+    };
+    let mut lost = Vec::new();
+    for (english, portuguese) in of_language(Lang::En).zip(of_language(Lang::PtBr)) {
+        assert_eq!(english.len(), portuguese.len(), "a text in one language has its place in the other");
+        let pairs = english.iter().zip(&portuguese);
+        lost.extend(
+            pairs.filter(|(en, pt)| tells_a_cause(en) && !has_connective(pt)).map(|(en, pt)| format!("{en}\n  {pt}")),
+        );
+    }
+    assert!(lost.is_empty(), "without a connective such as *por isso* or *pois*:\n{}", lost.join("\n"));
+    assert!(tells_a_cause("w is 0, so it has no image") && !tells_a_cause("It grows, and so does w. So far, so good."));
+    assert!(has_connective("w é 0, por isso não tem imagem.") && !has_connective("w é 0, e não tem imagem; logotipo"));
 }
 
 #[test]

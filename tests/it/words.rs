@@ -13,7 +13,7 @@ pub(crate) fn files_below(folder: &Path, ending: &str) -> Vec<PathBuf> {
         .collect()
 }
 
-/// Every text in a language.
+/// Every text in a language, in an order that all languages have.
 pub(crate) fn words(lang: Lang) -> Vec<String> {
     fn texts(item: &toml_edit::Item) -> Vec<String> {
         let list = |list: &toml_edit::Array| list.iter().filter_map(|text| Some(text.as_str()?.to_owned())).collect();
@@ -30,5 +30,7 @@ pub(crate) fn words(lang: Lang) -> Vec<String> {
         let document: toml_edit::DocumentMut = text.parse().unwrap_or_else(|error| panic!("{path:?}: {error}"));
         texts(document.as_item())
     };
-    files_below(&folder, ".toml").into_iter().flat_map(read).collect()
+    let mut files = files_below(&folder, ".toml");
+    files.sort();
+    files.into_iter().flat_map(read).collect()
 }

@@ -31,7 +31,7 @@ pub mod lessons {
 
     pub use condition::{Condition, Goal, Range, Seen, Subject, objects_named};
     pub use edit::{Edit, LessonText, StepText, Words, edited, reworded, text_of_step, words_in_file};
-    pub use leads::{Way, exercises_of, families_of, family_after, in_order_of_lessons, lesson_of};
+    pub use leads::{Way, exercise_minutes, exercises_of, families_of, family_after, in_order_of_lessons, lesson_of};
     pub use lesson::{Lesson, Link, OpenLesson, Question, See, Step, Task};
     pub use numbers_in_texts::{filled, numbers_of, with_sentence};
     pub use passage::Passage;

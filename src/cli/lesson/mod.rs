@@ -24,8 +24,8 @@ use crate::figure::Figure;
 use crate::figure::write::to_toml;
 use crate::inspect::json_text;
 use crate::lessons::{
-    Goal, Lesson, Link, OpenLesson, Part, Question, Seen, Step, Subject, Task, exercises_of, families_of,
-    objects_named, place, shipped,
+    Goal, Lesson, Link, OpenLesson, Part, Question, Seen, Step, Subject, Task, exercise_minutes, exercises_of,
+    families_of, objects_named, place, shipped,
 };
 use crate::picture::{self, Composite, FileOptions};
 use crate::progress::{Progress, at_once};
@@ -98,6 +98,7 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
                 "id": lesson.id,
                 "title": texts::told(written, &lesson.title),
                 "minutes": lesson.minutes,
+                "exercise_minutes": exercise_minutes(lesson),
                 "families": families_of(lesson),
                 "exercises": exercises_of(lesson),
                 "steps": lesson.steps.len(),
@@ -267,7 +268,8 @@ fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files:
                     faults.push((Part::Step(k), Box::new(move |key| format!("{key}: {why}"))));
                 }
                 if let Some(Task::Try(goal)) = &step.task {
-                    faults.extend(faults_of_goal(goal, (k, &step.figure), &scene, &mut seen, lang));
+                    let after = |figure: &Figure| Some(self::scene(figure, path, allow_files, lang).ok()?.0);
+                    faults.extend(faults_of_goal(goal, (k, &step.figure), (&scene, &after), &mut seen, lang));
                 }
             }
         }
@@ -280,11 +282,11 @@ fn steps_of(id: &str) -> Option<usize> {
     shipped().iter().find(|shipped| shipped.lesson.id == id).map(|shipped| shipped.lesson.steps.len())
 }
 
-/// The faults of the goal of a step.
+/// The faults of the goal of a step with a scene. `scene_after` gives that of a figure, which the way may change.
 fn faults_of_goal(
     goal: &Goal,
     (k, figure): (usize, &Figure),
-    scene: &Scene,
+    (scene, scene_after): (&Scene, &dyn Fn(&Figure) -> Option<Scene>),
     seen: &mut Seen,
     lang: Lang,
 ) -> Vec<Fault> {
@@ -309,7 +311,8 @@ fn faults_of_goal(
     }
     if !goal.way.is_empty()
         && let Ok(after) = goal.reached_from(figure, &camera)
-        && !goal.is_reached(Subject { figure: &after.figure, camera: &after.camera, scene }, seen)
+        && let Some(scene) = scene_after(&after.figure)
+        && !goal.is_reached(Subject { figure: &after.figure, camera: &after.camera, scene: &scene }, seen)
     {
         faults.push((Part::Way(k), Box::new(move |key| texts::not_reached(lang, key))));
     }

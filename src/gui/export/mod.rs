@@ -228,7 +228,9 @@ impl ExportSource {
     pub(super) fn of(model: &Model, family: &FamilyChoice, theme: Theme) -> Self {
         let mut figure = model.figure_as_shown();
         figure.style.theme = theme;
-        let (shot, files) = (Shot::of(&figure), model.desk.shown.files());
+        // As on the screen: labels don't answer an open question.
+        let shot = Shot { asked: model.frame.asked.clone(), ..Shot::of(&figure) };
+        let files = model.desk.shown.files();
         let (lang, convention) = (model.settings.lang, model.operations.convention);
         Self { figure, shot, files, lang, family: family.clone(), convention }
     }

@@ -29,6 +29,8 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, model: &mut Model, first: boo
     let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
     let mut wish = None;
     area.show(ui, |ui| match model.coach.advice().cloned() {
+        // Its sentences have numbers of the camera and of depths.
+        _ if !model.frame.asked.is_empty() => drop(ui.label(t.asked_here).explained(t.asked_hint)),
         None => drop(ui.label(words.looking)),
         Some(advice) => {
             findings(ui, model, &advice, &mut wish);

@@ -17,7 +17,7 @@ impl ImagePlace {
     #[expect(clippy::cast_precision_loss, reason = "sides of a screen")]
     pub(super) fn of(pane: &super::Pane) -> Self {
         let request = &pane.request;
-        let f = crate::views::image_frame(request.size, request.shot.look.image_aspect(&request.camera));
+        let f = request.image_frame();
         let image = request.shot.look.image;
         Self {
             frame: pane.rect.rect_of(f.x as f32, f.y as f32, f.width as f32, f.height as f32),

@@ -74,9 +74,7 @@ use crate::gui::views::pointer::probe_steps::Click;
 use crate::gui::views::pointer::selection_gizmo::Movable;
 use crate::gui::views::pointer::vertex_name::VertexNames;
 use crate::pipeline::OverBudget;
-use crate::views::{
-    Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown, image_frame,
-};
+use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
 use camera_lab_desk::{Action, Message, Model, ObserverChange, Placing, Running};
 use camera_lab_words::pictures::labels;
 use camera_lab_words::window::canvas::CanvasTexts;
@@ -608,7 +606,7 @@ fn toggle_maximized(model: &mut Model, view: View) {
 fn cross(ui: &Ui, pane: &Pane) {
     let Some(pointer) = pane.response.hover_pos() else { return };
     let (left, request) = pane.side(pointer).map_or((0, pane.request.clone()), |side| (side.left, side.request));
-    let f = image_frame(request.size, request.shot.look.image_aspect(&request.camera));
+    let f = request.image_frame();
     let frame = pane.rect.rect_of((f.x + left) as f32, f.y as f32, f.width as f32, f.height as f32);
     if !frame.contains(pointer) {
         return;

@@ -6,7 +6,7 @@ use crate::appearance::{FaceOrder, Rgba};
 use crate::figure::CostReveal;
 use crate::gui::kit::{Explained, choice_row};
 use crate::gui::why::state::explain::Explain;
-use crate::views::{Probe, Request, View, image_frame};
+use crate::views::{Probe, Request, View};
 use camera_lab_desk::Model;
 use camera_lab_words::why::sources::with_titles;
 use camera_lab_words::why::{pipeline, stages};
@@ -90,7 +90,7 @@ fn pixel_of(request: &Request, probe: Probe) -> Option<[u32; 2]> {
             space.stations(p, look.image, &look.viewport).projected?.window
         }
     };
-    let (window, frame) = (camera.window(), image_frame(request.size, look.image_aspect(camera)));
+    let (window, frame) = (camera.window(), request.image_frame());
     let [x, y] = [
         f64::from(frame.x) + (place.x - window.left) / window.width() * f64::from(frame.width),
         f64::from(frame.y) + (window.top - place.y) / window.height() * f64::from(frame.height),

@@ -12,6 +12,8 @@ const TELLING: usize = 3;
 pub struct Asked {
     quantities: Vec<Quantity>,
     numbers: Vec<f64>,
+    /// Numbers are asked for, be they telling or not.
+    has_numbers: bool,
 }
 
 impl Asked {
@@ -19,15 +21,17 @@ impl Asked {
     /// `statement` prints, tell nothing.
     pub fn add(&mut self, quantities: impl IntoIterator<Item = Quantity>, numbers: &[f64], statement: &str) {
         self.quantities.extend(quantities);
+        self.has_numbers |= !numbers.is_empty();
         let printed: Vec<f64> = printed(statement).collect();
         let tells =
             |number: &f64| digits(*number) >= TELLING && !printed.iter().any(|given| looks_like(*given, *number));
         self.numbers.extend(numbers.iter().copied().filter(tells));
     }
 
-    /// True if nothing is asked for.
+    /// True if nothing is asked for. Otherwise a page that prints nearly every number would answer, however short the
+    /// answer is.
     pub fn is_empty(&self) -> bool {
-        self.quantities.is_empty() && self.numbers.is_empty()
+        self.quantities.is_empty() && !self.has_numbers
     }
 
     /// True if a text with these numbers would answer a question: those of an asked quantity, of one that gives it
@@ -135,5 +139,8 @@ mod tests {
         for other in [12.5, 0.5, 100.0, 0.72] {
             assert!(!asked.hides(&[], &[other]), "{other}");
         }
+        let mut short = Asked::default();
+        short.add([], &[2.0], "");
+        assert!(!short.is_empty() && !short.hides(&[], &[2.0]), "pages wait, single numbers don't");
     }
 }

@@ -26,7 +26,7 @@ use crate::pipeline::shadow_rays::Solids;
 use crate::progress::{Activity, Progress};
 use crate::raster::Rasterizer;
 use crate::scene::{Light, LightKind, Object, ObjectPaint, Pictured, Scene};
-use crate::views::{self, Palette, PixelRect, Request, TimedPipeline, image_frame};
+use crate::views::{self, Palette, PixelRect, Request, TimedPipeline};
 
 /// Places along one side of a pixel.
 const SIDE: u32 = 8;
@@ -74,7 +74,7 @@ pub async fn exact_image(request: &Request, progress: &Progress) -> Result<Exact
     if u64::from(size.width) * u64::from(size.height) > MAX_STEPPED_PIXELS {
         return Err(NoExactImage::Pixels);
     }
-    let frame = image_frame(size, request.shot.look.image_aspect(&request.camera));
+    let frame = request.image_frame();
     let rays = Rays::new(request, frame)?;
     progress.begin(Activity::Measuring, frame.height as usize);
     let image = ImageSize { width: frame.width, height: frame.height };
@@ -563,7 +563,7 @@ mod tests {
     use crate::picture::Renderer;
     use crate::progress::at_once;
     use crate::scene::{build, no_files};
-    use crate::views::{SharedScene, Size, View, unlabelled};
+    use crate::views::{SharedScene, Size, View, image_frame, unlabelled};
 
     fn small() -> Size {
         Size { width: 96, height: 72, scale: 1.0 }
@@ -597,7 +597,7 @@ mod tests {
             ("pipeline/phong", 3.0),
         ] {
             let request = request_of(&shipped(name), small());
-            let frame = image_frame(request.size, request.shot.look.image_aspect(&request.camera));
+            let frame = request.image_frame();
             let rays = Rays::new(&request, frame).unwrap();
             let (mut worst, mut saved) = (0.0_f64, 0);
             for (at, edge) in rays.edges.iter().enumerate() {

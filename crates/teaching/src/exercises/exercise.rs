@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::beside::choice;
 use super::follows::{Follows, Holds};
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
@@ -19,6 +20,7 @@ use crate::exercises::mistakes::slip::{Slip, Slips};
 use crate::figure::{Figure, Localized};
 use crate::inspect::Asked;
 use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
+use crate::numbers::random::Random;
 
 /// An exercise with its numbers.
 #[derive(Clone, Debug)]
@@ -395,6 +397,32 @@ impl Ask {
     ) -> Self {
         let choices = choices.iter().map(|choice| (*choice).to_owned()).collect();
         Self::new(name, Kind::Choice(choices), Expected::Choice(right, mistakes.to_vec(), steps))
+    }
+
+    /// Puts its choices in another order.
+    pub(super) fn shuffled(mut self, random: &mut Random) -> Self {
+        let Kind::Choice(choices) = &mut self.kind else { return self };
+        // The old place of each choice.
+        let mut old: Vec<usize> = (0..choices.len()).collect();
+        for k in (1..old.len()).rev() {
+            let places: Vec<usize> = (0..=k).collect();
+            old.swap(k, random.one_of(&places));
+        }
+        *choices = old.iter().map(|k| choices[*k].clone()).collect();
+        let new = move |place: usize| old.iter().position(|k| *k == place).unwrap_or(place);
+        for reading in &mut self.readings {
+            if let Expected::Choice(right, mistakes, _) = &mut reading.expected {
+                *right = new(*right);
+                mistakes.iter_mut().for_each(|(place, _)| *place = new(*place));
+            }
+        }
+        let of_old = |Follows { from, compute }: Follows| {
+            let new = new.clone();
+            let place = move |table: Table| choice(new(table.entries.first().copied()? as usize));
+            Follows { from, compute: Arc::new(move |tables| compute(tables).and_then(&place)) }
+        };
+        self.follows = self.follows.into_iter().map(of_old).collect();
+        self
     }
 
     /// A camera that meets conditions, and one example with the way to it.

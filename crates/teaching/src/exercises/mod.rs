@@ -64,6 +64,8 @@ pub struct Entry {
     pub id: Cow<'static, str>,
     /// Its place in the notes, or the topic it practises, such as `[0] 5.1`; empty for a lecturer's own.
     pub source: &'static str,
+    /// The minutes that a student needs for it, about. A lecturer's own doesn't say.
+    pub minutes: Option<u16>,
     /// Its numbers come from a seed.
     pub is_family: bool,
     make: Make,
@@ -87,12 +89,12 @@ pub const SECOND: &str = "second";
 pub type Free = std::collections::BTreeMap<String, f64>;
 
 impl Entry {
-    const fn of_notes(id: &'static str, source: &'static str, make: fn(u64, &Free) -> Exercise) -> Self {
-        Self { id: Cow::Borrowed(id), source, is_family: false, make: Make::Shipped(make) }
+    const fn of_notes(id: &'static str, source: &'static str, minutes: u16, make: fn(u64, &Free) -> Exercise) -> Self {
+        Self { id: Cow::Borrowed(id), source, minutes: Some(minutes), is_family: false, make: Make::Shipped(make) }
     }
 
-    const fn family(id: &'static str, source: &'static str, make: fn(&mut Random) -> Exercise) -> Self {
-        Self { id: Cow::Borrowed(id), source, is_family: true, make: Make::Family(make) }
+    const fn family(id: &'static str, source: &'static str, minutes: u16, make: fn(&mut Random) -> Exercise) -> Self {
+        Self { id: Cow::Borrowed(id), source, minutes: Some(minutes), is_family: true, make: Make::Family(make) }
     }
 
     /// Its texts, if it's a lecturer's own exercise.

@@ -103,7 +103,13 @@ pub fn parse(text: &str) -> Result<Entry, FigureError> {
 }
 
 fn entry(exercise: Exercise) -> Entry {
-    Entry { id: exercise.id.clone().into(), source: "", is_family: false, make: Make::Own(Arc::new(exercise)) }
+    Entry {
+        id: exercise.id.clone().into(),
+        source: "",
+        minutes: None,
+        is_family: false,
+        make: Make::Own(Arc::new(exercise)),
+    }
 }
 
 /// The identifier in the bytes of a file that may be faulty elsewhere.

@@ -296,11 +296,7 @@ impl Progress {
             let seed = self.tried(&entry.id).map_or(0, |tried| tried.seed);
             return Some(Next { id: entry.id.clone().into_owned(), seed, why: Why::Begun });
         }
-        let due = entries.iter().filter(|entry| entry.is_family);
-        let due = due.filter_map(|entry| {
-            let (beyond, days) = self.waited(&entry.id, now)?;
-            Some((entry, beyond, Why::Due(days)))
-        });
+        let due = self.overdue(entries, now).map(|(entry, beyond, days)| (entry, beyond, Why::Due(days)));
         let guessed = self.guesses().filter_map(|(question, guess)| {
             let (beyond, days) = waited(guess.at, 1, now).filter(|_| !guess.right)?;
             let entry = self.after_question(entries, guess, family(question)?)?;
@@ -346,6 +342,22 @@ impl Progress {
             Some(entry) => Some(self.next(entry, Why::Sure)),
             None => self.next_of(&entries, now, family),
         }
+    }
+
+    /// The families that are due to come back, the most overdue first.
+    pub fn due<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Vec<&'a Entry> {
+        let entries: Vec<&Entry> = entries.into_iter().collect();
+        let mut due: Vec<_> = self.overdue(&entries, now).map(|(entry, beyond, _)| (beyond, *entry)).collect();
+        due.sort_by_key(|(beyond, _)| std::cmp::Reverse(*beyond));
+        due.into_iter().map(|(_, entry)| entry).collect()
+    }
+
+    /// The families that are due, each with the seconds since then, and the days since it was solved.
+    fn overdue<'a, 'b>(&self, entries: &'b [&'a Entry], now: u64) -> impl Iterator<Item = (&'b &'a Entry, u64, u64)> {
+        entries.iter().filter(|entry| entry.is_family).filter_map(move |entry| {
+            let (beyond, days) = self.waited(&entry.id, now)?;
+            Some((entry, beyond, days))
+        })
     }
 
     /// Seconds since the time at which a solved exercise comes back, and days since it was solved; `None` before that

@@ -30,6 +30,11 @@ pub fn exercises_of(lesson: &Lesson) -> Vec<&str> {
     ids
 }
 
+/// The minutes that the exercises of its steps take, about.
+pub fn exercise_minutes(lesson: &Lesson) -> u16 {
+    lesson.steps.iter().filter_map(asked).filter_map(|id| exercises::entry(id)?.minutes).sum()
+}
+
 /// The families among [`exercises_of`].
 pub fn families_of(lesson: &Lesson) -> Vec<&str> {
     let is_family = |id: &&str| exercises::entry(id).is_some_and(|entry| entry.is_family);

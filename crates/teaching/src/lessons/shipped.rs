@@ -21,25 +21,27 @@ macro_rules! lessons {
 }
 
 /// Their files, in the order of the course.
-const TEXTS: [&str; 18] = lessons![
+const TEXTS: [&str; 20] = lessons![
     "01-camera",
     "02-basis",
     "03-window",
-    "04-view",
-    "05-triangles",
-    "06-cube",
-    "07-depth",
-    "08-parallel",
-    "09-w",
-    "10-clip",
-    "11-pixel",
-    "12-moves",
-    "13-hidden",
-    "14-light",
-    "15-limits",
-    "16-eyes",
-    "17-photograph",
-    "18-sheet"
+    "04-object",
+    "05-view",
+    "06-triangles",
+    "07-cube",
+    "08-depth",
+    "09-parallel",
+    "10-w",
+    "11-clip",
+    "12-pixel",
+    "13-buffer",
+    "14-moves",
+    "15-hidden",
+    "16-light",
+    "17-limits",
+    "18-eyes",
+    "19-photograph",
+    "20-sheet"
 ];
 
 /// All of them, in the order of the course.

@@ -35,6 +35,9 @@ texts_with_values! {
     /// The number of right entries.
     score(lang, right: usize, all: usize);
 
+    /// The titles of the exercises that are due to come back, and the minutes that they take.
+    due(lang, minutes: u16, titles: &str);
+
     /// The number of right entries or conditions of a wrong answer.
     right_of(lang, right: usize, all: usize);
 

@@ -151,18 +151,15 @@ pub fn draft(lang: Lang, number: usize) -> lessons::Draft {
     lessons::Draft { lesson: alone(t.new_lesson.to_owned()), title: alone(format!("{} {number}", t.step)) }
 }
 
-/// The title of a lesson, and the minutes that it takes, apart from its exercises.
+/// The title of a lesson, and the minutes that it takes, and those of its exercises.
 pub fn with_minutes(lang: Lang, lesson: &Lesson) -> String {
-    let has_exercises = lesson.steps.iter().any(|step| matches!(step.task, Some(Task::Exercise { .. })));
-    let minutes =
-        lesson.minutes.map_or_else(String::new, |minutes| format!(" ({})", in_minutes(lang, minutes, has_exercises)));
+    let more = lessons::exercise_minutes(lesson);
+    let minutes = lesson.minutes.map_or_else(String::new, |minutes| {
+        let minutes = significant(minutes, 3) + " min";
+        let all = if more > 0 { text!(lang, minutes_and_exercises, minutes, more) } else { minutes };
+        format!(" ({all})")
+    });
     format!("{}{minutes}", told(lang, &lesson.title))
-}
-
-/// The minutes of a lesson, whose exercises take longer.
-fn in_minutes(lang: Lang, minutes: f64, has_exercises: bool) -> String {
-    let minutes = significant(minutes, 3) + " min";
-    if has_exercises { text!(lang, minutes_and_exercises, minutes) } else { minutes }
 }
 
 /// The step of how many.
@@ -180,9 +177,12 @@ pub fn go_on(lang: Lang, lesson: &Lesson, step: usize) -> String {
 /// A line of the list of lessons, from its data.
 pub fn line(lang: Lang, line: &Value) -> String {
     let text = |key: &str| line[key].as_str().unwrap_or_default();
-    let minutes = line["minutes"].as_f64().map_or_else(String::new, |minutes| significant(minutes, 3) + " min");
+    let minutes = line["minutes"].as_f64().map_or_else(String::new, |minutes| {
+        let more = line["exercise_minutes"].as_u64().filter(|more| *more > 0);
+        significant(minutes, 3) + &more.map_or_else(String::new, |more| format!(" + {more}")) + " min"
+    });
     let steps = text!(lang, line);
-    format!("{:<16} {:>7} {:>3} {steps}   {}\n", text("id"), minutes, line["steps"], text("title"))
+    format!("{:<16} {:>12} {:>3} {steps}   {}\n", text("id"), minutes, line["steps"], text("title"))
 }
 
 /// There is no such lesson.

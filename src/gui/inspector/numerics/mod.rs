@@ -32,7 +32,8 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
     if numerics.measuring().is_some() {
         ui.ctx().request_repaint_after(GLANCE);
     }
-    if numerics.of_figure {
+    let is_asked = !model.frame.asked.is_empty();
+    if numerics.of_figure && !is_asked {
         let (lang, ways) = (model.settings.lang, ThreeWays::new(model.desk.shown.camera().parameters()));
         theme::sentence_label(ui, &words::three_ways(lang, ways)).explained(words::texts(lang).three_ways_hint);
     }
@@ -46,6 +47,10 @@ pub fn ui(ui: &mut Ui, model: &mut Model, numerics: &mut Numerics) {
             });
         });
         ui.separator();
+        if numerics.of_figure && is_asked {
+            let t = camera_lab_words::window::texts(model.settings.lang);
+            return drop(ui.label(t.asked_here).explained(t.asked_hint));
+        }
         if numerics.of_figure {
             return this_figure::ui(ui, model, &mut numerics.this_figure);
         }
@@ -81,6 +86,7 @@ fn studies(ui: &mut Ui, model: &Model, numerics_state: &mut Numerics) {
         ui.set_width(LIST - 12.0);
         let measuring = numerics_state.measuring();
         match measuring {
+            _ if numerics_state.of_figure && !model.frame.asked.is_empty() => {}
             _ if numerics_state.of_figure => this_figure::button(ui, model, &mut numerics_state.this_figure),
             None => {
                 if ui.button(t.measure).explained(t.measure_hint).clicked() {

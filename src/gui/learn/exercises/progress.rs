@@ -3,12 +3,12 @@
 use eframe::egui::{self, RichText, Ui};
 
 use crate::exercises::{Made, Mistake};
-use crate::gui::kit::{Explained, KeptLine, prose};
+use crate::gui::kit::{Explained, KeptLine, prose, theme};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Done;
 use camera_lab_desk::{Action, FileFor, Model};
 use camera_lab_words::learn::exercise_window::Texts;
-use camera_lab_words::learn::exercises as said;
+use camera_lab_words::learn::{exercise_messages, exercises as said};
 
 /// The foot of the list.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
@@ -25,6 +25,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut 
             None => drop(ui.label(RichText::new(t.progress_not_kept).weak())),
         }
         ui.add_space(4.0);
+        due(ui, t, learn);
         mistakes(ui, t, learn);
         ui.add_space(4.0);
         ui.horizontal(|ui| {
@@ -52,6 +53,18 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut 
             }
         });
     });
+}
+
+/// The exercises that are due to come back, and how long they take.
+fn due(ui: &mut Ui, t: &Texts, learn: &Learn) {
+    let due = learn.exercises.progress.due(learn.exercises.entries(), crate::clock::seconds_since_1970());
+    if due.is_empty() {
+        ui.label(t.none_due);
+        return;
+    }
+    let minutes: u16 = due.iter().filter_map(|entry| entry.minutes).sum();
+    let titles: Vec<&str> = due.iter().map(|entry| said::title(t.lang, entry)).collect();
+    theme::sentence_label(ui, &exercise_messages::due(t.lang, minutes, &titles.join(", ")));
 }
 
 /// The known mistakes, the most frequent first.

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use crate::appearance::{Filter, HiddenLines, LineStyle, Rgba, Sampler, Style, Visibility};
-use crate::drawing::{Base, Drawing, StrokeSet, Surface};
+use crate::drawing::{Base, Drawing, Label, StrokeSet, Surface};
 use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
@@ -39,16 +39,31 @@ pub(super) fn frame(request: &Request) -> PixelRect {
     /// Space for half a mark, in units of stroke width.
     const MARGIN: f32 = 6.0;
     let Size { width, height, scale } = request.size;
-    let aspect = request.shot.look.image_aspect(&request.camera);
     let margin = (MARGIN * request.size.type_scale()).ceil();
     let room = width.min(height) as f32 / 8.0;
     if !request.finish.framed || request.finish.bare || room < margin {
-        return image_frame(request.size, aspect);
+        return request.image_frame();
     }
     #[expect(clippy::cast_possible_truncation, reason = "at most an eighth of the picture")]
     let margin = margin as u32;
-    let inner = image_frame(Size { width: width - 2 * margin, height: height - 2 * margin, scale }, aspect);
+    let inner = request.image_frame_in(Size { width: width - 2 * margin, height: height - 2 * margin, scale });
     PixelRect { x: inner.x + margin, y: inner.y + margin, ..inner }
+}
+
+impl Request {
+    /// The place of the image in its picture: the largest rectangle with its aspect, in the middle; or less, if the
+    /// vanishing points of a photograph are shown beside it.
+    pub fn image_frame(&self) -> PixelRect {
+        self.image_frame_in(self.size)
+    }
+
+    fn image_frame_in(&self, size: Size) -> PixelRect {
+        let most = image_frame(size, self.shot.look.image_aspect(&self.camera));
+        let share = vanishing::share_beside(self, most, size);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a side")]
+        let [width, height] = [most.width, most.height].map(|side| (f64::from(side) * share).round() as u32);
+        PixelRect { x: most.x + (most.width - width) / 2, y: most.y + (most.height - height) / 2, width, height }
+    }
 }
 
 /// Draws the image.
@@ -100,6 +115,8 @@ struct Image<'a> {
     /// True if the scene has marks.
     has_marks: bool,
     rows: Vec<LegendRow>,
+    /// The names of points beside the image, which have no place in it to be settled.
+    outside: Vec<Label>,
     legend: Option<Legend>,
     drawn: Frame,
 }
@@ -156,6 +173,7 @@ impl<'a> Image<'a> {
             wrong,
             has_marks,
             rows,
+            outside: Vec::new(),
             legend: None,
             drawn,
         }
@@ -199,7 +217,13 @@ impl<'a> Image<'a> {
         offscreen_arrows::in_image(&mut drawn.drawing, request, palette);
         vanishing::epipolar_line(&mut drawn.drawing, request, palette);
         if request.shot.look.reveal.vanishing {
+            let before = drawn.drawing.labels.len();
             self.rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
+            let sides = [drawn.drawing.width, drawn.drawing.height].map(|side| side as f32);
+            let is_inside = |label: &Label| (0..2).all(|k| (0.0..=sides[k]).contains(&label.position[k]));
+            let (inside, outside) = drawn.drawing.labels.split_off(before).into_iter().partition(is_inside);
+            self.outside = outside;
+            drawn.drawing.labels.extend::<Vec<_>>(inside);
         }
     }
 
@@ -241,6 +265,9 @@ impl<'a> Image<'a> {
             }
         };
         std::iter::once(&mut self.drawn.drawing).chain(&mut self.drawn.before).for_each(mount);
+        let outside = std::mem::take(&mut self.outside).into_iter();
+        let shifted_label = |label: Label| Label { position: shifted(label.position, rect), ..label };
+        self.drawn.drawing.labels.extend(outside.map(shifted_label));
         self.drawn.ground += usize::from(!request.finish.transparent);
         let dropped = self.drawn.dropped_faces.iter_mut().flat_map(|face| &mut face.positions);
         dropped.for_each(|p| *p = shifted(*p, rect));

@@ -15,7 +15,7 @@ use crate::geometry::Aabb;
 use crate::views::words::label_obstacles::Box2;
 use crate::views::words::legend::{LegendRow, LegendText};
 use crate::views::world::gizmos::{AnnotationBuilder, SMALL_TYPE, stroke};
-use crate::views::{Palette, Request};
+use crate::views::{Palette, PixelRect, Request, Size};
 
 /// The directions, and the names of their vanishing points.
 const DIRECTIONS: [(DVec3, &str); 3] = [(DVec3::X, "V_x"), (DVec3::Y, "V_y"), (DVec3::Z, "V_z")];
@@ -29,6 +29,33 @@ pub(in crate::views) fn vanishing_point(camera: &Camera, direction: DVec3) -> Op
     (perspective && along.abs() > 1e-12 * direction.length())
         .then(|| DVec2::new(direction.dot(basis.u), direction.dot(basis.v)) * (-camera.near() / along))
         .filter(|p| p.is_finite())
+}
+
+/// True if the vanishing points of a photograph are drawn, also those outside it.
+fn surround_photograph(request: &Request) -> bool {
+    let look = &request.shot.look;
+    let has_photograph = request.scene.photograph.is_some() && look.photograph_opacity > 0.0;
+    look.reveal.vanishing && has_photograph && request.projector.is_none() && !request.finish.bare
+}
+
+/// The share of `most`, its greatest size, at which the image leaves room for the vanishing points of its photograph in
+/// a picture of a size.
+pub(super) fn share_beside(request: &Request, most: PixelRect, size: Size) -> f64 {
+    /// Farthest vanishing point to include, in halves of the image from its middle.
+    const FARTHEST: f64 = 3.0;
+    /// Space up to it and beyond, for its name.
+    const ROOM: f64 = 1.15;
+    if !surround_photograph(request) {
+        return 1.0;
+    }
+    let window = request.camera.window();
+    let [low, high] = [DVec2::new(window.left, window.bottom), DVec2::new(window.right, window.top)];
+    let points = DIRECTIONS.iter().filter_map(|(direction, _)| vanishing_point(&request.camera, *direction));
+    let away = points.map(|point| (2.0 * point - low - high).abs() / (high - low));
+    let near = away.filter(|away| away.max_element() < FARTHEST);
+    let [whole, most] =
+        [[size.width, size.height], [most.width, most.height]].map(|[w, h]| DVec2::new(w.into(), h.into()));
+    near.map(|away| (whole / (ROOM * away * most)).min_element()).fold(1.0, f64::min)
 }
 
 /// Draws the parallels through C in the world, each up to the view plane, if the figure shows vanishing points.
@@ -61,7 +88,11 @@ pub(in crate::views) fn in_image(drawing: &mut Drawing, request: &Request, palet
     if camera.projection() == Projection::Parallel {
         return vec![LegendRow::Title(LegendText::new("vanishing", labels.no_vanishing), palette.ink)];
     }
-    let picture = WindowPicture { size: DVec2::new(f64::from(drawing.width), f64::from(drawing.height)), camera };
+    let mut picture = WindowPicture::of(drawing, camera);
+    if surround_photograph(request) {
+        // All of the picture, in whose middle the image is.
+        picture.room.half = DVec2::new(f64::from(request.size.width), f64::from(request.size.height)) / 2.0;
+    }
     let scale = request.size.scale;
     let mut rows = Vec::new();
     horizon(drawing, &picture, request, palette);
@@ -130,7 +161,7 @@ pub(super) fn epipolar_line(drawing: &mut Drawing, request: &Request, palette: P
     let (from, direction) = (seen(origin, 1.0), seen(end - origin, 0.0));
     let DVec3 { x: a, y: b, z: c } = from.cross(direction);
     let across = DVec2::new(a, b);
-    let picture = WindowPicture { size: DVec2::new(f64::from(drawing.width), f64::from(drawing.height)), camera };
+    let picture = WindowPicture::of(drawing, camera);
     let foot = across * (-c / across.length_squared());
     let reach = 4.0 * (camera.window_width() + camera.window_height()) + foot.length();
     let along = across.perp().normalize_or_zero() * reach;
@@ -171,10 +202,17 @@ fn nearest_ends(camera: &Camera, bounds: Aabb, direction: DVec3) -> Vec<DVec2> {
 /// A picture of the view window.
 struct WindowPicture<'a> {
     size: DVec2,
+    /// The part of the plane that's drawn: the window, or more.
+    room: Box2,
     camera: &'a Camera,
 }
 
-impl WindowPicture<'_> {
+impl<'a> WindowPicture<'a> {
+    fn of(drawing: &Drawing, camera: &'a Camera) -> Self {
+        let size = DVec2::new(f64::from(drawing.width), f64::from(drawing.height));
+        Self { size, room: Box2 { center: size / 2.0, half: size / 2.0 }, camera }
+    }
+
     /// The place in pixels of a window point, also far outside.
     fn place(&self, point: DVec2) -> DVec2 {
         let w = self.camera.window();
@@ -182,14 +220,13 @@ impl WindowPicture<'_> {
     }
 
     fn holds(&self, px: DVec2) -> bool {
-        px.cmpge(DVec2::ZERO).all() && px.cmple(self.size).all()
+        (px - self.room.center).abs().cmple(self.room.half).all()
     }
 
     /// Draws the part of a line in the picture. It computes in `f64`, because a vanishing point may be a billion pixels
     /// away.
     fn line(&self, drawing: &mut Drawing, [a, b]: [DVec2; 2], style: LineStyle) -> Option<[DVec2; 2]> {
-        let whole = Box2 { center: self.size / 2.0, half: self.size / 2.0 };
-        let ends = whole.part_inside(a, b)?.map(|share| a.lerp(b, share));
+        let ends = self.room.part_inside(a, b)?.map(|share| a.lerp(b, share));
         if !ends.iter().all(|p| p.is_finite()) {
             return None;
         }

@@ -32,6 +32,8 @@ pub(super) fn without_coincidences(family: &str, seed: u64, make: fn(&mut Random
         }
         exercise = make(&mut random);
     }
+    // A guess at the same place each time is no way to the answer.
+    exercise.asks = exercise.asks.into_iter().map(|ask| ask.shuffled(&mut random)).collect();
     exercise
 }
 
@@ -82,42 +84,44 @@ fn has_coincidence(family: &str, exercise: &Exercise) -> bool {
 
 /// All families, in the order in which they are learnt.
 pub static ENTRIES: &[Entry] = &[
-    Entry::family("basis", "[0] §5.2, (5.2), (5.3)", matrices::basis),
-    Entry::family("view-matrix", "[0] §5.3.1, (5.7)", matrices::view_matrix),
-    Entry::family("window", "[0] §5.2, (5.1), (5.5)", matrices::window),
-    Entry::family("perspective-matrix", "[0] §5.3.2, (5.14)", |random| {
+    Entry::family("basis", "[0] §5.2, (5.2), (5.3)", 6, matrices::basis),
+    Entry::family("view-matrix", "[0] §5.3.1, (5.7)", 8, matrices::view_matrix),
+    Entry::family("window", "[0] §5.2, (5.1), (5.5)", 4, matrices::window),
+    Entry::family("perspective-matrix", "[0] §5.3.2, (5.14)", 8, |random| {
         matrices::projection(random, Projection::Perspective)
     }),
-    Entry::family("parallel-matrix", "[0] §5.3.2, (5.16)", |random| {
+    Entry::family("parallel-matrix", "[0] §5.3.2, (5.16)", 8, |random| {
         matrices::projection(random, Projection::Parallel)
     }),
-    Entry::family("asymmetric-window", "[0] §5.3.2, (5.13), (5.15)", matrices::asymmetric_window),
-    Entry::family("ndc", "[0] §5.3.2, [2]", points::ndc),
-    Entry::family("inside", "[2], [0] §5.3.2", points::inside),
-    Entry::family("pixel", "[0] §5.5, (5.22)", points::pixel),
-    Entry::family("ray", "[0] §5.4, (5.17)–(5.23)", points::ray),
-    Entry::family("viewport", "[0] §5.5, (5.24), (5.25)", points::viewport),
-    Entry::family("elevation", "[0] §5.6", |random| turn(random, Operation::Elevation, &["≠ elevation"], &[C, N, V])),
-    Entry::family("azimuth", "[0] §5.6", |random| turn(random, Operation::Azimuth, &["≠ azimuth"], &[C, N, U])),
-    Entry::family("roll", "[0] §5.6", |random| turn(random, Operation::Roll, &[], &[U, V])),
-    Entry::family("yaw", "[0] §5.6", |random| turn(random, Operation::Yaw, &["≠ yaw"], &[PF, N, U])),
-    Entry::family("pitch", "[0] §5.6", |random| turn(random, Operation::Pitch, &["≠ pitch"], &[PF, N, V])),
-    Entry::family("zoom", "[0] §5.6", operations::zoom),
-    Entry::family("dolly", "[0] §5.2, (5.2)", operations::dolly),
-    Entry::family("pan", "[0] §5.2, (5.3)", operations::pan),
-    Entry::family("zoom-or-dolly", "[0] §5.6, (5.5)", depth::zoom_or_dolly),
-    Entry::family("canonical-camera", "[0] 5.3", hands::canonical_camera),
-    Entry::family("outcodes", "[2]", clipping::outcodes),
-    Entry::family("clip-segment", "[2]", clipping::clip_segment),
-    Entry::family("pyramid", "[1] II, III", spaces::pyramid),
-    Entry::family("left-handed", "[3] §1.5", spaces::left_handed),
-    Entry::family("vocabulary", "[2], K [R|t]", spaces::vocabulary),
-    Entry::family("order", "[4], [3]", spaces::order),
-    Entry::family("depth-resolution", "[0] (5.25), [2]", depth::resolution),
-    Entry::family("painter", "[2]", depth::painter),
-    Entry::family("disparity", "[0] (5.5), (5.9)", stereo::disparity),
-    Entry::family("light", "[2], [3] §1.1", light::light),
-    Entry::family("match-picture", "[0] §5.2, §5.6", hands::match_picture),
-    Entry::family("place-camera", "[0] §5.2", hands::place_camera),
-    Entry::family("predict-visible", "[2], [0] §5.3", hands::predict_visible),
+    Entry::family("asymmetric-window", "[0] §5.3.2, (5.13), (5.15)", 10, matrices::asymmetric_window),
+    Entry::family("ndc", "[0] §5.3.2, [2]", 10, points::ndc),
+    Entry::family("inside", "[2], [0] §5.3.2", 8, points::inside),
+    Entry::family("pixel", "[0] §5.5, (5.22)", 8, points::pixel),
+    Entry::family("ray", "[0] §5.4, (5.17)–(5.23)", 10, points::ray),
+    Entry::family("viewport", "[0] §5.5, (5.24), (5.25)", 10, points::viewport),
+    Entry::family("elevation", "[0] §5.6", 10, |random| {
+        turn(random, Operation::Elevation, &["≠ elevation"], &[C, N, V])
+    }),
+    Entry::family("azimuth", "[0] §5.6", 10, |random| turn(random, Operation::Azimuth, &["≠ azimuth"], &[C, N, U])),
+    Entry::family("roll", "[0] §5.6", 8, |random| turn(random, Operation::Roll, &[], &[U, V])),
+    Entry::family("yaw", "[0] §5.6", 10, |random| turn(random, Operation::Yaw, &["≠ yaw"], &[PF, N, U])),
+    Entry::family("pitch", "[0] §5.6", 10, |random| turn(random, Operation::Pitch, &["≠ pitch"], &[PF, N, V])),
+    Entry::family("zoom", "[0] §5.6", 4, operations::zoom),
+    Entry::family("dolly", "[0] §5.2, (5.2)", 4, operations::dolly),
+    Entry::family("pan", "[0] §5.2, (5.3)", 6, operations::pan),
+    Entry::family("zoom-or-dolly", "[0] §5.6, (5.5)", 8, depth::zoom_or_dolly),
+    Entry::family("canonical-camera", "[0] 5.3", 8, hands::canonical_camera),
+    Entry::family("outcodes", "[2]", 5, clipping::outcodes),
+    Entry::family("clip-segment", "[2]", 8, clipping::clip_segment),
+    Entry::family("pyramid", "[1] II, III", 25, spaces::pyramid),
+    Entry::family("left-handed", "[3] §1.5", 6, spaces::left_handed),
+    Entry::family("vocabulary", "[2], K [R|t]", 10, spaces::vocabulary),
+    Entry::family("order", "[4], [3]", 8, spaces::order),
+    Entry::family("depth-resolution", "[0] (5.25), [2]", 5, depth::resolution),
+    Entry::family("painter", "[2]", 6, depth::painter),
+    Entry::family("disparity", "[0] (5.5), (5.9)", 12, stereo::disparity),
+    Entry::family("light", "[2], [3] §1.1", 12, light::light),
+    Entry::family("match-picture", "[0] §5.2, §5.6", 5, hands::match_picture),
+    Entry::family("place-camera", "[0] §5.2", 6, hands::place_camera),
+    Entry::family("predict-visible", "[2], [0] §5.3", 8, hands::predict_visible),
 ];

@@ -10,12 +10,12 @@ use crate::figure::{Figure, read};
 
 /// In the order of the notes.
 pub static ENTRIES: &[Entry] = &[
-    Entry::of_notes("0-5.1", "[0] 5.1", |seed, _| camera::rays(seed)),
-    Entry::of_notes("0-5.2", "[0] 5.2", |_, free| camera::zoomed(free)),
-    Entry::of_notes("0-5.3", "[0] 5.3", |_, _| camera::cube()),
-    Entry::of_notes("1-I", "[1] I", |_, free| pyramid::vertices(free)),
-    Entry::of_notes("1-II", "[1] II", |_, free| pyramid::model_and_view(free)),
-    Entry::of_notes("1-III", "[1] III", |_, free| pyramid::projection(free)),
+    Entry::of_notes("0-5.1", "[0] 5.1", 20, |seed, _| camera::rays(seed)),
+    Entry::of_notes("0-5.2", "[0] 5.2", 50, |_, free| camera::zoomed(free)),
+    Entry::of_notes("0-5.3", "[0] 5.3", 10, |_, _| camera::cube()),
+    Entry::of_notes("1-I", "[1] I", 5, |_, free| pyramid::vertices(free)),
+    Entry::of_notes("1-II", "[1] II", 20, |_, free| pyramid::model_and_view(free)),
+    Entry::of_notes("1-III", "[1] III", 25, |_, free| pyramid::projection(free)),
 ];
 
 /// The figure of an exercise, which the gallery shows too.

@@ -181,6 +181,19 @@ fn the_next_exercise_is_chosen_for_a_reason() {
 }
 
 #[test]
+fn due_families_are_listed_with_the_most_overdue_first() {
+    let mut progress = Progress::default();
+    solve(&mut progress, entry("window").unwrap(), 0, 2 * DAY);
+    solve(&mut progress, entry("basis").unwrap(), 0, DAY);
+    solve(&mut progress, entry("0-5.1").unwrap(), 0, 0);
+    let due = |now| progress.due(entries(), now).into_iter().map(|entry| &*entry.id).collect::<Vec<_>>();
+    assert_eq!(due(DAY + 1), [""; 0]);
+    assert_eq!(due(2 * DAY), ["basis"]);
+    assert_eq!(due(9 * DAY), ["basis", "window"], "numbers that never change don't come back");
+    assert!(entries().all(|entry| entry.minutes.is_some_and(|minutes| (4..=50).contains(&minutes))));
+}
+
+#[test]
 fn a_mistake_of_which_one_was_sure_comes_first_until_it_is_practised() {
     let (question, family) = ("question-1", "basis");
     let guessed = |right, sure| {
