@@ -10,6 +10,7 @@ mod answer;
 mod beside;
 mod exercise;
 pub mod families;
+mod fault;
 mod follows;
 mod judge;
 pub mod notes;
@@ -36,11 +37,12 @@ mod mistakes {
 }
 
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 pub use answer::{Answer, AnswerError, read_answer, uses_names};
 pub use beside::Beside;
 pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Kind, Reading, TOLERANCE, Unit};
+pub use fault::Fault;
 pub use follows::Holds;
 pub use judge::{Judged, judge_answer};
 pub use mistakes::diagnose::Diagnosis;
@@ -78,7 +80,18 @@ enum Make {
     Family(fn(&mut Random) -> Exercise),
     /// Read from a file.
     Own(Arc<Exercise>),
+    /// The mistake in a solution of another one.
+    Fault(&'static Entry),
 }
+
+/// The end of an identifier for the exercise that asks for the mistake in a solution: `basis/fault`.
+pub const FAULT: &str = "/fault";
+
+/// Those exercises, by their identifiers.
+static FAULTS: LazyLock<Vec<Entry>> = LazyLock::new(|| {
+    let possible = entries().filter(|entry| fault::is_possible(&entry.exercise(0, &Free::new())));
+    possible.map(Entry::fault).collect()
+});
 
 /// The name of the second place of a question for a mark.
 pub const SECOND: &str = "second";
@@ -95,10 +108,15 @@ impl Entry {
         Self { id: Cow::Borrowed(id), source, is_family: true, make: Make::Family(make) }
     }
 
+    fn fault(of: &'static Self) -> Self {
+        let (id, make) = (Cow::Owned(format!("{}{FAULT}", of.id)), Make::Fault(of));
+        Self { id, source: of.source, is_family: true, make }
+    }
+
     /// Its texts, if it's a lecturer's own exercise.
     pub fn texts(&self) -> Option<&OwnTexts> {
         match &self.make {
-            Make::Shipped(_) | Make::Family(_) => None,
+            Make::Shipped(_) | Make::Family(_) | Make::Fault(_) => None,
             Make::Own(exercise) => exercise.texts.as_deref(),
         }
     }
@@ -109,6 +127,7 @@ impl Entry {
             Make::Shipped(make) => make(seed, free),
             Make::Family(make) => families::without_coincidences(&self.id, seed, *make),
             Make::Own(exercise) => Exercise::clone(exercise),
+            Make::Fault(of) => fault::of_exercise(of.exercise(seed, free)),
         };
         Exercise { id: self.id.clone().into_owned(), seed, chosen: free.clone(), ..exercise }
     }
@@ -196,7 +215,9 @@ pub fn with_own(own: &[Entry]) -> impl Iterator<Item = &Entry> {
     notes::ENTRIES.iter().chain(families::ENTRIES).chain(own)
 }
 
-/// The exercise or family with an identifier.
+/// The exercise or family with an identifier, or the one about a mistake in a solution of it, which `entries` leaves
+/// out.
 pub fn entry(id: &str) -> Option<&'static Entry> {
-    entries().find(|entry| entry.id == id)
+    let faults = id.ends_with(FAULT).then(|| FAULTS.iter());
+    entries().chain(faults.into_iter().flatten()).find(|entry| entry.id == id)
 }
