@@ -38,10 +38,9 @@ const STREAM: u64 = 0xfa17;
 /// Other causes to choose from: at least, and at most.
 const OTHERS: [usize; 2] = [2, 3];
 
-/// True for an exercise that asks for numbers which worked steps lead to. A choice or a camera doesn't show on which
-/// line it went wrong.
+/// True for an exercise in whose lines a known mistake shows. It doesn't if the answer is a choice or a camera.
 pub(super) fn is_possible(exercise: &Exercise) -> bool {
-    exercise.asks.iter().any(|ask| Way::new(ask).is_some())
+    asks(exercise).is_some()
 }
 
 /// The exercise that asks for the mistake in a solution of another one. It asks nothing if no known mistake shows.
@@ -180,7 +179,8 @@ fn asks(exercise: &Exercise) -> Option<Vec<Ask>> {
     const NAMES: [&str; 4] = ["a", "b", "c", "d"];
     let mut random = Random::new(exercise.seed, STREAM);
     let mut ways: Vec<Way<'_>> = exercise.asks.iter().filter_map(Way::new).collect();
-    let all: Vec<Cause> = ways.iter().flat_map(Way::known).map(|(slip, _)| slip.cause()).collect();
+    let known = |ask: &Ask| Some(possible(ask, ask.expected(), &ask.expected().table()?));
+    let all: Vec<Cause> = exercise.asks.iter().filter_map(known).flatten().map(|(slip, _)| slip.cause()).collect();
     while let Some(way) = taken(&mut ways, &mut random) {
         let mut found = way.explained();
         let mistakes: BTreeSet<Mistake> = found.iter().map(|(.., found)| found.causes[0].mistake).collect();

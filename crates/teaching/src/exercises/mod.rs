@@ -37,7 +37,7 @@ mod mistakes {
 }
 
 use std::borrow::Cow;
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
 pub use answer::{Answer, AnswerError, read_answer, uses_names};
 pub use beside::Beside;
@@ -87,11 +87,9 @@ enum Make {
 /// The end of an identifier for the exercise that asks for the mistake in a solution: `basis/fault`.
 pub const FAULT: &str = "/fault";
 
-/// Those exercises, by their identifiers.
-static FAULTS: LazyLock<Vec<Entry>> = LazyLock::new(|| {
-    let possible = entries().filter(|entry| fault::is_possible(&entry.exercise(0, &Free::new())));
-    possible.map(Entry::fault).collect()
-});
+/// Those exercises, and whether a mistake can be shown, once it's known.
+static FAULTS: LazyLock<Vec<(Entry, OnceLock<bool>)>> =
+    LazyLock::new(|| entries().map(|of| (of.fault(), OnceLock::new())).collect());
 
 /// The name of the second place of a question for a mark.
 pub const SECOND: &str = "second";
@@ -108,9 +106,9 @@ impl Entry {
         Self { id: Cow::Borrowed(id), source, is_family: true, make: Make::Family(make) }
     }
 
-    fn fault(of: &'static Self) -> Self {
-        let (id, make) = (Cow::Owned(format!("{}{FAULT}", of.id)), Make::Fault(of));
-        Self { id, source: of.source, is_family: true, make }
+    fn fault(&'static self) -> Self {
+        let (id, make) = (Cow::Owned(format!("{}{FAULT}", self.id)), Make::Fault(self));
+        Self { id, source: self.source, is_family: true, make }
     }
 
     /// Its texts, if it's a lecturer's own exercise.
@@ -218,6 +216,8 @@ pub fn with_own(own: &[Entry]) -> impl Iterator<Item = &Entry> {
 /// The exercise or family with an identifier, or the one about a mistake in a solution of it, which `entries` leaves
 /// out.
 pub fn entry(id: &str) -> Option<&'static Entry> {
-    let faults = id.ends_with(FAULT).then(|| FAULTS.iter());
-    entries().chain(faults.into_iter().flatten()).find(|entry| entry.id == id)
+    let Some(of) = id.strip_suffix(FAULT) else { return entries().find(|entry| entry.id == id) };
+    let (entry, can_be) = FAULTS.iter().find(|(entry, _)| entry.id == id)?;
+    let is_possible = || self::entry(of).is_some_and(|of| fault::is_possible(&of.exercise(0, &Free::new())));
+    can_be.get_or_init(is_possible).then_some(entry)
 }
