@@ -117,8 +117,10 @@ fn find_in(
     lang: Lang,
 ) -> Result<(Entry, Exercise), Failure> {
     let all = || exercises::with_own(&own.entries);
-    let entry = all().find(|entry| entry.id == id).cloned().ok_or_else(|| {
-        if let Some(bad) = own.faults.iter().find(|bad| bad.id.as_deref() == Some(id)) {
+    let id = &if numbers.fault { format!("{id}{}", exercises::FAULT) } else { id.to_owned() };
+    let found = all().find(|entry| entry.id == *id).or_else(|| exercises::entry(id));
+    let entry = found.cloned().ok_or_else(|| {
+        if let Some(bad) = own.faults.iter().find(|bad| bad.id.as_deref() == Some(id.as_str())) {
             return Failure::BadInput(fault(bad, lang));
         }
         say_faults(own, lang);
@@ -351,6 +353,7 @@ fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -
         "score": verdict.score,
         "entries": verdict.entries,
         "diagnosis": diagnosis,
+        "remark": ask.fault.as_ref().and_then(|_| texts::diagnosis(lang, ask, verdict)).as_deref().map(unmarked),
         "off": ask.off(&verdict.understood),
         "carried": verdict.carried,
         "numbers": verdict.numbers.as_ref().map(|own| json!({
@@ -434,8 +437,11 @@ fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
         // All versions of an exercise stand together.
         let of = |k: usize| versions.iter().filter_map(move |version| version.exercises.get(k));
         let sheet = (0..args.ids.len()).flat_map(of);
-        let sheet: Vec<(&Entry, &Exercise)> =
-            sheet.filter_map(|exercise| Some((*by_id.get(exercise.id.as_str())?, exercise))).collect();
+        let sheet: Vec<(&Entry, &Exercise)> = sheet
+            .filter_map(|exercise| {
+                Some((by_id.get(exercise.id.as_str()).copied().or_else(|| exercises::entry(&exercise.id))?, exercise))
+            })
+            .collect();
         let (text, left_out) = moodle(written, &sheet);
         left_out.iter().for_each(|title| say(&said::no_question(lang, title)));
         return save(&args.output, text.as_bytes(), None, lang);

@@ -1,4 +1,4 @@
-//! Worked solutions that fade: each time that an exercise has been solved, one step more is to be done.
+//! Worked solutions that fade: after each success one step more is to be done, and one fewer after a failure.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -58,6 +58,7 @@ fn the_last_step_is_typed_once_the_exercise_has_been_solved_before() {
         let u = camera.view_up.cross(n).normalize();
         let axes = [("n", n), ("u", u), ("v", n.cross(u))];
         let axis = axes.iter().find(|(of, _)| *of == ask.name).unwrap().1;
+        let own = |window: &Window| window.state().learn.exercises.progress.tried("basis").unwrap().own_steps;
         for (text, is_right) in [(format!("{}", axis.z + 0.1), false), (format!("{:.5}", axis.z), true)] {
             window.harness.get_by_role_and_label(Role::TextInput, &field).focus();
             window.run();
@@ -70,6 +71,27 @@ fn the_last_step_is_typed_once_the_exercise_has_been_solved_before() {
             window.harness.get_by_label(&exercise_window::of_ask(t.check_step, &name)).click();
             window.run();
             assert_eq!(!last(&window), is_right);
+            // The first try counts.
+            assert_eq!(own(&window), 0);
         }
+        // With other numbers, the first try is right.
+        let mut window = working_on("basis", 1, lang);
+        window.app_mut().state.learn.exercises.progress.was_solved("basis");
+        open_steps(&mut window, &name, lang);
+        window.harness.get_by_role_and_label(Role::TextInput, &field).focus();
+        window.run();
+        window.harness.event(Event::Text(format!("{:.5}", axis.z)));
+        window.run();
+        window.key(eframe::egui::Key::Enter);
+        window.run();
+        assert_eq!(own(&window), 2);
+        // All steps at once, which leaves nothing to do.
+        let mut window = working_on("basis", 1, lang);
+        window.app_mut().state.learn.exercises.progress.was_solved("basis");
+        window.harness.get_by_label(&exercise_window::of_ask(t.all_steps, &name)).click();
+        window.run();
+        assert!(window.state().learn.exercises.opened[&ask.name].is_at_end());
+        assert!(window.harness.query_by_role_and_label(Role::TextInput, &field).is_none());
+        assert_eq!(own(&window), 0);
     }
 }

@@ -18,6 +18,7 @@ mod dialects;
 mod dialogs;
 mod exercise_answers;
 mod exercise_fading;
+mod exercise_fault;
 mod exercises;
 mod explain;
 mod explain_steps;

@@ -22,6 +22,7 @@ mod diagnose;
 mod diagnose_causes;
 mod diagnose_exact;
 mod exercise_causes;
+mod exercise_fault;
 mod exercise_follows;
 mod exercise_mistakes;
 mod exercise_named;

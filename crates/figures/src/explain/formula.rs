@@ -232,6 +232,21 @@ impl Formula {
         }
     }
 
+    /// The formula with some parts replaced: `replace` gives what stands in the place of a part, or `None` to look
+    /// inside it.
+    #[must_use]
+    pub fn replaced(&self, replace: &impl Fn(&Self) -> Option<Self>) -> Self {
+        let inside = |part: &Self| part.replaced(replace);
+        replace(self).unwrap_or_else(|| match self {
+            Self::Number(_) | Self::Symbol(_) | Self::Named(_) | Self::Dot(..) | Self::Norm(_) => self.clone(),
+            Self::Negative(inner) => -inside(inner),
+            Self::Sum(terms) => Self::Sum(terms.iter().map(inside).collect()),
+            Self::Product(factors) => Self::Product(factors.iter().map(inside).collect()),
+            Self::Quotient(above, below) => over(inside(above), inside(below)),
+            Self::Of(function, argument) => Self::Of(*function, Box::new(inside(argument))),
+        })
+    }
+
     /// The summands: the terms of a sum or of a dot product, else the formula itself.
     #[must_use]
     pub fn terms(&self) -> Vec<Self> {

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::beside::choice;
+use super::fault::Fault;
 use super::follows::{Follows, Holds};
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
@@ -70,6 +71,11 @@ impl Exercise {
     pub fn is_told_by_figure(&self) -> bool {
         let inside = |path: QuantityPath| matches!(path.quantity, Quantity::Point(_, PointNumber::Inside));
         self.asks.iter().any(|ask| ask.quantity.is_some_and(inside))
+    }
+
+    /// The solution of a student that it's about, if it asks for the mistake in one.
+    pub fn fault(&self) -> Option<&Fault> {
+        self.asks.first()?.fault.as_deref()
     }
 
     /// The steps of each ask that didn't occur in an ask before it.
@@ -162,6 +168,8 @@ pub struct Ask {
     pub follows: Vec<Follows>,
     /// The worked steps, if they begin with numbers of the statement instead of the camera.
     pub way: Option<Vec<Worked>>,
+    /// The solution of a student that it asks about.
+    pub fault: Option<Arc<Fault>>,
 }
 
 /// A kind of answer.
@@ -288,6 +296,9 @@ impl Ask {
     /// Adds what it asks for: the quantity of its answer, those that its author names, and the numbers of the answer.
     /// A camera to find isn't a secret, because its parameters are what the answer sets.
     pub fn add_to(&self, asked: &mut Asked, statement: &str) {
+        if let Some(fault) = &self.fault {
+            return fault.ask.add_to(asked, statement);
+        }
         let expected = self.readings.iter().map(|reading| &reading.expected);
         let quantities = expected.clone().filter_map(|expected| match expected {
             Expected::Quantity(_, path) => Some(path.quantity),
@@ -322,6 +333,7 @@ impl Ask {
             own_mistakes: Vec::new(),
             follows: Vec::new(),
             way: None,
+            fault: None,
         }
     }
 

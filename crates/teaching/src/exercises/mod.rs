@@ -10,6 +10,7 @@ mod answer;
 mod beside;
 mod exercise;
 pub mod families;
+mod fault;
 mod follows;
 mod judge;
 pub mod notes;
@@ -36,11 +37,12 @@ mod mistakes {
 }
 
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock, OnceLock};
 
 pub use answer::{Answer, AnswerError, read_answer, uses_names};
 pub use beside::Beside;
 pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Kind, Reading, TOLERANCE, Unit};
+pub use fault::Fault;
 pub use follows::Holds;
 pub use judge::{Judged, judge_answer};
 pub use mistakes::diagnose::Diagnosis;
@@ -80,7 +82,16 @@ enum Make {
     Family(fn(&mut Random) -> Exercise),
     /// Read from a file.
     Own(Arc<Exercise>),
+    /// The mistake in a solution of another one.
+    Fault(&'static Entry),
 }
+
+/// The end of an identifier for the exercise that asks for the mistake in a solution: `basis/fault`.
+pub const FAULT: &str = "/fault";
+
+/// Those exercises, and whether a mistake can be shown, once it's known.
+static FAULTS: LazyLock<Vec<(Entry, OnceLock<bool>)>> =
+    LazyLock::new(|| entries().map(|of| (of.fault(), OnceLock::new())).collect());
 
 /// The name of the second place of a question for a mark.
 pub const SECOND: &str = "second";
@@ -97,10 +108,15 @@ impl Entry {
         Self { id: Cow::Borrowed(id), source, minutes: Some(minutes), is_family: true, make: Make::Family(make) }
     }
 
+    fn fault(&'static self) -> Self {
+        let (id, make) = (Cow::Owned(format!("{}{FAULT}", self.id)), Make::Fault(self));
+        Self { id, source: self.source, is_family: true, make }
+    }
+
     /// Its texts, if it's a lecturer's own exercise.
     pub fn texts(&self) -> Option<&OwnTexts> {
         match &self.make {
-            Make::Shipped(_) | Make::Family(_) => None,
+            Make::Shipped(_) | Make::Family(_) | Make::Fault(_) => None,
             Make::Own(exercise) => exercise.texts.as_deref(),
         }
     }
@@ -111,6 +127,7 @@ impl Entry {
             Make::Shipped(make) => make(seed, free),
             Make::Family(make) => families::without_coincidences(&self.id, seed, *make),
             Make::Own(exercise) => Exercise::clone(exercise),
+            Make::Fault(of) => fault::of_exercise(of.exercise(seed, free)),
         };
         Exercise { id: self.id.clone().into_owned(), seed, chosen: free.clone(), ..exercise }
     }
@@ -198,7 +215,11 @@ pub fn with_own(own: &[Entry]) -> impl Iterator<Item = &Entry> {
     notes::ENTRIES.iter().chain(families::ENTRIES).chain(own)
 }
 
-/// The exercise or family with an identifier.
+/// The exercise or family with an identifier, or the one about a mistake in a solution of it, which `entries` leaves
+/// out.
 pub fn entry(id: &str) -> Option<&'static Entry> {
-    entries().find(|entry| entry.id == id)
+    let Some(of) = id.strip_suffix(FAULT) else { return entries().find(|entry| entry.id == id) };
+    let (entry, can_be) = FAULTS.iter().find(|(entry, _)| entry.id == id)?;
+    let is_possible = || self::entry(of).is_some_and(|of| fault::is_possible(&of.exercise(0, &Free::new())));
+    can_be.get_or_init(is_possible).then_some(entry)
 }

@@ -51,6 +51,10 @@ pub struct Tried {
     pub hints: BTreeMap<String, u32>,
     /// The asks with right answers so far.
     pub right: BTreeSet<String>,
+    /// The number of steps at the end of its worked solutions that the student does.
+    pub own_steps: u32,
+    /// The asks whose steps the student has done, or failed to do.
+    pub stepped: BTreeSet<String>,
     /// The mistakes made.
     pub mistakes: BTreeSet<Mistake>,
     /// The mistakes ever made, whatever the numbers.
@@ -162,11 +166,26 @@ impl Progress {
         }
     }
 
-    /// The number of steps of a solution that are shown in full: all of them at first, and one fewer at the end each
-    /// time the exercise has been solved. The student does the others.
+    /// The number of steps of a solution that are shown in full, which is all of them at first. The student does the
+    /// others at the end: one more after each success, and one fewer after a failure.
     pub fn given_steps(&self, id: &str, steps: usize) -> usize {
-        let solved = self.tried(id).map_or(0, |tried| tried.solved);
-        steps.saturating_sub(usize::try_from(solved).unwrap_or(usize::MAX))
+        let own = self.tried(id).map_or(0, |tried| tried.own_steps);
+        steps.saturating_sub(usize::try_from(own).unwrap_or(usize::MAX))
+    }
+
+    /// Records that the student has done the last steps of a solution with this number of steps to an ask, or has failed
+    /// to. With the numbers of a seed, only the first time counts.
+    pub fn stepped(&mut self, id: &str, seed: u64, ask: &str, steps: u32, right: bool) {
+        if self.of(id).seed != seed {
+            self.begin(id, seed);
+        }
+        let tried = self.of(id);
+        if tried.stepped.insert(ask.to_owned()) {
+            let least = tried.own_steps.min(steps);
+            // A short solution says nothing about the longer ones of other asks.
+            tried.own_steps =
+                if right { tried.own_steps.max(least + u32::from(least < steps)) } else { least.saturating_sub(1) };
+        }
     }
 
     /// The known mistakes made so far.
@@ -213,15 +232,15 @@ impl Progress {
     /// Records that an exercise was solved before any other record of it.
     pub fn was_solved(&mut self, id: &str) {
         let kept = self.of(id);
-        kept.solved = kept.solved.max(1);
+        (kept.solved, kept.own_steps) = (kept.solved.max(1), kept.own_steps.max(1));
     }
 
     /// Begins the exercise again, with the numbers of a seed.
     pub fn begin(&mut self, id: &str, seed: u64) {
         let kept = self.of(id);
-        let Tried { tries, solved, alone, solved_at, last, .. } = *kept;
+        let Tried { tries, solved, alone, solved_at, last, own_steps, .. } = *kept;
         let (helped, made) = (std::mem::take(&mut kept.helped), std::mem::take(&mut kept.made));
-        *kept = Tried { seed, tries, solved, alone, solved_at, last, helped, made, ..Tried::default() };
+        *kept = Tried { seed, tries, solved, alone, solved_at, last, own_steps, helped, made, ..Tried::default() };
     }
 
     /// Records the judgement of an answer to an exercise at a time.
@@ -257,6 +276,8 @@ impl Progress {
             tried.is_solved = true;
             tried.solved = tried.solved.saturating_add(1);
             tried.solved_at = Some(now);
+            // Steps of one's own have counted already.
+            tried.own_steps = tried.own_steps.saturating_add(u32::from(tried.stepped.is_empty()));
             if !tried.helped.contains(&tried.seed) {
                 tried.alone = tried.alone.saturating_add(1);
             }

@@ -27,6 +27,8 @@ pub struct Worked {
     point: Option<DVec3>,
     /// The rows to compute.
     rows: Vec<FormulaRow>,
+    /// Wrong numbers of symbols, from rows with a mistake.
+    wrong: Vec<(Symbol, f64)>,
 }
 
 /// `symbol` = `formula` = `value`.
@@ -51,7 +53,7 @@ impl Worked {
     /// A step whose formulas have only numbers with names of their own.
     pub fn new(heading: &'static str, equation: &str) -> Self {
         let subject = Arc::new(Subject::default());
-        Self { heading, equation: equation.to_owned(), subject, point: None, rows: Vec::new() }
+        Self::of(heading, equation, &subject)
     }
 
     /// Adds a row. The number of `symbol` is `formula`.
@@ -61,7 +63,8 @@ impl Worked {
     }
 
     fn of(heading: &'static str, equation: impl Into<String>, subject: &Arc<Subject>) -> Self {
-        Self { heading, equation: equation.into(), subject: Arc::clone(subject), point: None, rows: Vec::new() }
+        let subject = Arc::clone(subject);
+        Self { heading, equation: equation.into(), subject, point: None, rows: Vec::new(), wrong: Vec::new() }
     }
 
     fn push(&mut self, setting: &Setting<'_>, symbol: impl Into<Formula>, formula: Formula) {
@@ -75,6 +78,15 @@ impl Worked {
         (self.heading, self.equation.clone(), self.lines(style, true))
     }
 
+    /// The numbers of its symbols. `camera` is that of its subject.
+    fn setting<'a>(&self, camera: &'a Camera) -> Setting<'a> {
+        let setting = setting(camera, &self.subject);
+        match self.point {
+            Some(point) => setting.with_point(point),
+            None => setting,
+        }
+    }
+
     /// The value of its last row.
     pub(super) fn last_value(&self) -> Option<f64> {
         self.rows.last().map(|row| row.value)
@@ -83,11 +95,7 @@ impl Worked {
     /// The rows as text.
     pub fn lines(&self, style: Style, exact: bool) -> Vec<Line> {
         let Ok(camera) = self.subject.camera() else { return Vec::new() };
-        let setting = setting(&camera, &self.subject);
-        let setting = match self.point {
-            Some(point) => setting.with_point(point),
-            None => setting,
-        };
+        let setting = self.setting(&camera).with_values(&self.wrong);
         let Style { notation, mark, digits } = style;
         let symbols = explain::Writer { notation, mark, numbers: None };
         let numbers =
@@ -560,6 +568,8 @@ fn corner(subject: &Arc<Subject>, setting: &Setting<'_>, k: usize) -> Worked {
     }
     step
 }
+
+pub(super) mod miswritten;
 
 #[cfg(test)]
 mod tests;

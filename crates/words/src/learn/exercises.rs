@@ -1,12 +1,12 @@
 //! The texts of exercises, in both languages. In the texts `{name}` stands for a fact of the exercise.
 
 use super::exercise_cameras;
-use super::exercise_texts::texts;
+use super::exercise_texts::{Statement, texts};
 use crate::exercises::{
-    Answer, AnswerError, Ask, Cause, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Unit,
-    Worked,
+    Answer, AnswerError, Ask, Cause, Diagnosis, Entry, Exercise, FAULT, Fact, Fault, Judged, Kind, Mistake, OwnTexts,
+    Table, Unit, Worked,
 };
-use crate::explain::{Notation, Style};
+use crate::explain::{Line, Notation, Style};
 use crate::expression::marked;
 use crate::numbers::{DecimalMark, exact_form};
 use crate::sanitize::escaped;
@@ -34,12 +34,41 @@ pub fn exercise_title(lang: Lang, exercise: &Exercise) -> &str {
 fn title_of<'a>(lang: Lang, id: &str, own: Option<&'a OwnTexts>) -> &'a str {
     match own {
         Some(own) => told(lang, &own.title),
-        None => texts(lang).exercises.get(id).map_or("", |statement| statement.title),
+        None => of_id(lang, id).map_or("", |statement| statement.title),
     }
 }
 
-/// The paragraphs of its statement, in Markdown.
+/// The texts of an exercise, also for the mistake in a solution of it.
+fn of_id(lang: Lang, id: &str) -> Option<&'static Statement> {
+    texts(lang).exercises.get(id.strip_suffix(FAULT).unwrap_or(id))
+}
+
+/// The paragraphs of its statement, in Markdown. The lines of a student's solution are the last.
 pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
+    let mut paragraphs = given(lang, exercise);
+    let mut number = 0;
+    for step in exercise.fault().iter().flat_map(|fault| &fault.steps) {
+        paragraphs.push(step_heading(lang, exercise, step));
+        paragraphs.extend(in_dollars(lang, step).map(|line| {
+            number += 1;
+            format!("**({number})** {line}")
+        }));
+    }
+    paragraphs
+}
+
+/// The rows of a step in sentences: symbol = formula = numbers = value, each once.
+fn in_dollars(lang: Lang, step: &Worked) -> impl Iterator<Item = String> {
+    let lines = step.lines(Style { notation: Notation::Latex, mark: lang.mark(), digits: 6 }, true);
+    lines.into_iter().map(|Line { symbol, formula, numbers, value }| {
+        let mut parts = vec![symbol, formula, numbers, value];
+        parts.dedup();
+        format!("${}$", parts.join(" = "))
+    })
+}
+
+/// The paragraphs of its statement, in Markdown, without the lines of a student's solution.
+pub fn given(lang: Lang, exercise: &Exercise) -> Vec<String> {
     if let Some(own) = &exercise.texts {
         let paragraphs = told(lang, &own.statement).split("\n\n").map(str::trim);
         return paragraphs
@@ -47,9 +76,10 @@ pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
             .map(|paragraph| paragraph.replace('\n', " "))
             .collect();
     }
-    let found = texts(lang).exercises.get(exercise.id.as_str());
-    let paragraphs = found.map_or(&[][..], |statement| &statement.paragraphs);
-    paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph)).collect()
+    let paragraphs = of_id(lang, &exercise.id).map_or(&[][..], |statement| &statement.paragraphs);
+    let paragraphs = paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph));
+    let of_fault = exercise.fault().map(|fault| text!(lang, fault, ask = ask(lang, exercise, &fault.ask)));
+    paragraphs.chain(of_fault).collect()
 }
 
 /// The assumptions if the source leaves a question open, and the differing ones of the source. The assumption `≠ yaw`
@@ -74,7 +104,11 @@ pub fn ask(lang: Lang, exercise: &Exercise, ask: &Ask) -> String {
     if let Some(own) = exercise.texts.as_ref().and_then(|own| own.asks.get(&ask.name)) {
         return told(lang, own).to_owned();
     }
-    let found = texts(lang).exercises.get(exercise.id.as_str()).and_then(|s| s.asks.get(ask.name.as_str()));
+    if ask.fault.is_some() {
+        let [line, cause] = text!(lang, fault_asks);
+        return (if matches!(ask.kind, Kind::Choice(_)) { cause } else { line }).to_owned();
+    }
+    let found = of_id(lang, &exercise.id).and_then(|s| s.asks.get(ask.name.as_str()));
     found.map_or_else(|| ask.name.clone(), |text| filled(lang, exercise, text))
 }
 
@@ -105,6 +139,12 @@ pub fn choice(lang: Lang, name: &str) -> &str {
 
 /// A choice of a question.
 pub fn choice_of<'a>(lang: Lang, ask: &'a Ask, name: &'a str) -> &'a str {
+    if let Some(fault) = &ask.fault
+        && let Some(of) =
+            name.bytes().next().and_then(|letter| fault.causes.get(usize::from(letter.wrapping_sub(b'a'))))
+    {
+        return cause(lang, &fault.ask, *of)[0];
+    }
     ask.own_choices.get(name).map_or_else(|| choice(lang, name), |text| told(lang, text))
 }
 
@@ -140,9 +180,32 @@ fn cause(lang: Lang, ask: &Ask, cause: Cause) -> [&'static str; 3] {
     found.map_or_else(|| mistake(lang, cause.mistake), |text| parts(text))
 }
 
+/// The sentence on an answer about a student's solution, right or wrong.
+fn on_fault(lang: Lang, fault: &Fault, ask: &Ask, judged: &Judged) -> String {
+    let [before, after, other] = text!(lang, fault_wrong);
+    match &judged.understood {
+        Answer::Numbers { .. } if judged.right => {
+            text!(
+                lang,
+                fault_right,
+                line = ask.steps().iter().flat_map(|step| in_dollars(lang, step)).collect::<String>()
+            )
+        }
+        Answer::Numbers { entries, .. } => {
+            let is_after = entries.iter().flatten().any(|given| *given > f64::from(fault.line));
+            (if is_after { after } else { before }).to_owned()
+        }
+        _ if judged.right => cause(lang, &fault.ask, fault.cause)[2].to_owned(),
+        _ => other.to_owned(),
+    }
+}
+
 /// The diagnosis of a wrong answer: the mistakes, one after the other, or all of which one was made, and the place of a
 /// single faulty number. `None` if nothing explains the answer.
 pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
+    if let Some(fault) = &ask.fault {
+        return Some(on_fault(lang, fault, ask, judged));
+    }
     let diagnosis = judged.diagnosis.as_ref()?;
     if let Some(own) = &diagnosis.own {
         return Some(told(lang, &own.message).to_owned());

@@ -49,11 +49,20 @@ pub(in crate::gui) fn head(ui: &mut Ui, model: &Model, learn_state: &mut Learn) 
         if ui.button(t.practise_next).explained(t.practise_next_hint).clicked() {
             learn_state.exercises.practise();
         }
-        if let Some(chosen) = open
+        if let Some(chosen) = &open
             && is_family
             && ui.button(t.new_numbers).explained(t.new_numbers_hint).clicked()
         {
-            learn_state.exercises.work_on(Chosen { seed: chosen.seed + 1, ..chosen });
+            learn_state.exercises.work_on(Chosen { seed: chosen.seed + 1, ..chosen.clone() });
+        }
+        if let Some(Chosen { id, seed }) = open {
+            let (id, label) = match id.strip_suffix(exercises::FAULT) {
+                Some(of) => (of.to_owned(), t.solve_yourself),
+                None => (format!("{id}{}", exercises::FAULT), t.find_fault),
+            };
+            if exercises::entry(&id).is_some() && ui.button(label).explained(t.find_fault_hint).clicked() {
+                learn_state.exercises.work_on(Chosen { id, seed });
+            }
         }
         if learn_state.exercises.open.is_none() {
             list::count(ui, &learn_state.exercises, t.lang);
@@ -89,7 +98,11 @@ pub(in crate::gui) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn) {
     ui.push_id(chosen, |ui| {
         statement::ui(ui, model, learn, sheet);
         let mut in_focus = None;
-        for ask in &exercise.asks {
+        for (k, ask) in exercise.asks.iter().enumerate() {
+            // The causes to choose from would give the line away.
+            if k > 0 && ask.fault.is_some() && !learn.exercises.is_right(&exercise.asks[0]) {
+                break;
+            }
             ui.separator();
             if question(ui, model, learn, sheet, ask, just_said.as_ref() == Some(&ask.name)) {
                 in_focus = Some(ask);

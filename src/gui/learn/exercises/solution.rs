@@ -8,7 +8,7 @@ use crate::camera::{Camera, MatrixKind, Parameters, Reading, RecoveryError, reco
 use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
 use crate::explain::{Notation, Style};
 use crate::expression::{Dimension, evaluate_with};
-use crate::gui::kit::{Both, Explained, Links, TextField, chain, complaint, prose};
+use crate::gui::kit::{Both, Explained, Links, TextField, chain, complaint, prose, toggle};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::{Described, NotCamera};
 use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};
@@ -35,23 +35,29 @@ pub(super) fn step_button(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask:
         Expected::Quantity(..) | Expected::Camera(..) => false,
     };
     let waits = opened.steps.checked_sub(1).is_some_and(|last| opened.is_to_do(last));
-    if !rest || has_none || waits {
+    if has_none || !(rest || waits) {
         return;
     }
     let label = if opened.steps == 0 { t.first_step } else { t.next_step };
-    let button = help_button(ui, id, (label, t.step_hint, &name));
-    if button.clicked() {
+    let next = (!waits).then(|| help_button(ui, id, (label, t.step_hint, &name)));
+    let all = ui.button(t.all_steps).explained(t.all_steps_hint).accessible_name(words::of_ask(t.all_steps, &name));
+    let (all, is_next) = (all.clicked(), next.as_ref().is_some_and(Response::clicked));
+    if all || is_next {
         let progress = &learn.exercises.progress;
         let opened = learn.exercises.opened.entry(ask.name.clone()).or_default();
-        opened.steps += 1;
         if opened.way.is_none() {
             // A later solution takes no step away from this one.
             opened.given = progress.given_steps(&exercise.id, ask.steps().len());
         }
-        let way = opened.way.get_or_insert_with(|| ask.steps().into());
-        if button.has_focus() && opened.steps >= way.len() {
+        let count = opened.way.get_or_insert_with(|| ask.steps().into()).len();
+        opened.steps = if all { count } else { opened.steps + 1 };
+        if next.is_some_and(|next| next.has_focus()) && opened.steps >= count {
             // There is no next one, so the focus returns to the answer.
             learn.exercises.wants_focus = Some(ask.name.clone());
+        }
+        if all && (0..count).any(|step| opened.is_to_do(step)) {
+            opened.filled.extend(0..count);
+            learn.exercises.note_stepped(exercise, ask, false);
         }
         learn.exercises.note_opened(exercise, ask);
         learn.exercises.say(ask);
@@ -203,7 +209,7 @@ pub(super) fn steps(ui: &mut Ui, model: &Model, learn: &mut Learn, sheet: Sheet<
 fn to_do(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, (k, step): (usize, &Worked)) {
     let (t, name) = (sheet.t, said::ask(sheet.t.lang, sheet.exercise, ask).replace("**", ""));
     let Some(opened) = learn.exercises.opened.get_mut(&ask.name) else { return };
-    let mut is_right = false;
+    let (mut is_right, mut is_shown) = (None, false);
     ui.horizontal_wrapped(|ui| {
         ui.label(t.your_step);
         let text = opened.typed.entry(k).or_default();
@@ -214,32 +220,42 @@ fn to_do(ui: &mut Ui, learn: &mut Learn, sheet: Sheet<'_>, ask: &Ask, (k, step):
         let enters = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         let numbers = &sheet.exercise.free;
         let number = [Dimension::Number, Dimension::Angle].map(|of| evaluate_with(text.trim(), of, numbers).ok());
-        let checks = ui.add_enabled(number.iter().any(Option::is_some), Button::new(t.check));
-        if checks.accessible_name(words::of_ask(t.check_step, &name)).clicked() || enters {
-            is_right = number.into_iter().flatten().any(|number| step.ends_with(number));
-            opened.missed = Some(k).filter(|_| !is_right);
+        let is_number = number.iter().any(Option::is_some);
+        let checks = ui.add_enabled(is_number, Button::new(t.check));
+        if checks.accessible_name(words::of_ask(t.check_step, &name)).clicked() || enters && is_number {
+            let number = number.into_iter().flatten().any(|number| step.ends_with(number));
+            (is_right, opened.missed) = (Some(number), Some(k).filter(|_| !number));
         }
-        if ui.button(t.show_step).explained(t.step_hint).clicked() {
-            is_right = true;
-        }
+        is_shown = ui.button(t.show_step).explained(t.step_hint).clicked();
         if opened.missed == Some(k) {
             ui.colored_label(ui.visuals().error_fg_color, format!("✗ {}", t.wrong));
         }
     });
-    if is_right {
+    if is_right == Some(true) || is_shown {
         opened.missed = None;
         opened.filled.insert(k);
+    }
+    let (has_failed, is_at_end) = (is_shown || is_right == Some(false), opened.is_at_end());
+    if has_failed || is_right == Some(true) && is_at_end {
+        learn.exercises.note_stepped(sheet.exercise, ask, !has_failed);
+    }
+    if is_right == Some(true) || is_shown {
         learn.exercises.say(ask);
     }
 }
 
-/// A step: its heading, its equation, and each row as symbol = formula = numbers = value. If the step is to be done,
-/// its last row ends with the formula.
+/// A step: its heading, its equation, and its rows.
 fn step(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, exercise: &Exercise, (step, is_to_do): (&Worked, bool)) {
-    let lang = sheet.t.lang;
     ui.add_space(2.0);
-    prose::show(ui, &said::step_heading(lang, exercise, step));
-    let style = |notation| Style { notation, mark: lang.mark(), digits: model.settings.digits };
+    prose::show(ui, &said::step_heading(sheet.t.lang, exercise, step));
+    rows(ui, model, sheet, (step, is_to_do));
+}
+
+/// Each row of a step as symbol = formula = numbers = value. If the step is to be done, its last row ends with the
+/// formula.
+fn rows(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, (step, is_to_do): (&Worked, bool)) {
+    let mark = sheet.t.lang.mark();
+    let style = |notation| Style { notation, mark, digits: model.settings.digits };
     let lines = step.lines(style(Notation::Latex), true);
     let last = lines.len().saturating_sub(1);
     for (k, (latex, text)) in lines.into_iter().zip(step.lines(style(Notation::Text), true)).enumerate() {
@@ -248,5 +264,25 @@ fn step(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, exercise: &Exercise, (step
             [both(latex.formula, text.formula), both(latex.numbers, text.numbers), both(latex.value, text.value)];
         let shown = if is_to_do && k == last { &said[..1] } else { &said };
         chain(ui, &both(latex.symbol, text.symbol), shown, Links::Dense);
+    }
+}
+
+/// The solution of a student, if the exercise is about one. A click on the number of a line answers the question for it.
+pub(super) fn faulty(ui: &mut Ui, model: &Model, learn: &mut Learn, sheet: Sheet<'_>) {
+    let Some((fault, ask)) = sheet.exercise.fault().zip(sheet.exercise.asks.first()) else { return };
+    let mut number = 0;
+    for step in &fault.steps {
+        prose::show(ui, &said::step_heading(sheet.t.lang, sheet.exercise, step));
+        for row in step.by_rows() {
+            number += 1;
+            let name = format!("{number}");
+            ui.horizontal_top(|ui| {
+                let is_marked = learn.exercises.fields(ask).first() == Some(&name);
+                if toggle(ui, is_marked, &name).explained(sheet.t.mark_line).clicked() {
+                    learn.exercises.type_into(ask, vec![name]);
+                }
+                ui.vertical(|ui| rows(ui, model, sheet, (&row, false)));
+            });
+        }
     }
 }

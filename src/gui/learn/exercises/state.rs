@@ -67,6 +67,8 @@ pub(in crate::gui) enum Done {
     Judged(Arc<Exercise>, Box<Judged>, u64),
     /// The number of open hints and worked steps of an ask.
     Opened { id: String, seed: u64, ask: String, hints: u32 },
+    /// The last steps of a solution with this number of steps were done, or weren't.
+    Stepped { id: String, seed: u64, ask: String, steps: u32, right: bool },
     /// The user chose other numbers for values that the notes leave open.
     NumbersChanged(String),
     /// Solved before there was a file of progress.
@@ -83,6 +85,7 @@ impl Done {
         match self {
             Self::Judged(exercise, judged, now) => progress.judged(exercise, judged, *now),
             Self::Opened { id, seed, ask, hints } => progress.opened(id, *seed, ask, *hints),
+            Self::Stepped { id, seed, ask, steps, right } => progress.stepped(id, *seed, ask, *steps, *right),
             Self::NumbersChanged(id) => progress.numbers_changed(id),
             Self::WasSolved(id) => progress.was_solved(id),
             Self::Guessed(id, guess) => progress.guessed(id, guess.clone()),
@@ -218,7 +221,7 @@ impl Exercises {
 
     /// The exercise or family with an identifier.
     pub fn entry(&self, id: &str) -> Option<&Entry> {
-        self.entries().chain(&self.of_lesson).find(|entry| entry.id == id)
+        self.entries().chain(&self.of_lesson).find(|entry| entry.id == id).or_else(|| exercises::entry(id))
     }
 
     /// Reads a folder of a lecturer's own exercises. `None` removes it.
@@ -545,6 +548,13 @@ impl Exercises {
         let opened = self.opened.get(&ask.name).map_or(0, |opened| opened.hints + opened.steps);
         let hints = u32::try_from(opened).unwrap_or(u32::MAX);
         self.note(Done::Opened { id: exercise.id.clone(), seed: exercise.seed, ask: ask.name.clone(), hints });
+    }
+
+    /// Records that the last steps of the solution to an ask were done, or weren't.
+    pub(in crate::gui) fn note_stepped(&mut self, exercise: &Exercise, ask: &Ask, right: bool) {
+        let steps = self.opened.get(&ask.name).and_then(|opened| opened.way.as_ref()).map_or(0, |way| way.len());
+        let steps = u32::try_from(steps).unwrap_or(u32::MAX);
+        self.note(Done::Stepped { id: exercise.id.clone(), seed: exercise.seed, ask: ask.name.clone(), steps, right });
     }
 
     /// Deletes all progress and all typed answers.

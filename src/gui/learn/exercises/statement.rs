@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Align2, Button, CollapsingHeader, Image, RichText, Ui, vec2};
 
-use super::{Sheet, figure};
+use super::{Sheet, figure, solution};
 use crate::gui::kit::{Explained, TextField, complaint, prose};
 use crate::gui::learn::{Learn, lesson_link};
 use crate::lessons::{Way, lesson_of};
@@ -27,7 +27,8 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
     });
     lesson(ui, model, learn, sheet);
     ui.add_space(2.0);
-    prose::show(ui, &said::statement(t.lang, exercise).join("\n\n"));
+    prose::show(ui, &said::given(t.lang, exercise).join("\n\n"));
+    solution::faulty(ui, model, learn, sheet);
     target(ui, model, sheet);
     let assumptions = said::assumptions(t.lang, exercise);
     if !assumptions.is_empty() {

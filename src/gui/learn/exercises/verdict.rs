@@ -51,7 +51,9 @@ pub(super) fn ui(ui: &mut Ui, model: &mut Model, learn: &mut Learn, sheet: Sheet
             if let Some(carried) = said::carried(t.lang, judged) {
                 prose::show(ui, &carried);
             }
-            if let Some(diagnosis) = said::diagnosis(t.lang, ask, judged).filter(|_| !judged.right) {
+            if let Some(diagnosis) =
+                said::diagnosis(t.lang, ask, judged).filter(|_| !judged.right || ask.fault.is_some())
+            {
                 prose::show(ui, &diagnosis);
             }
             if let Some(off) = ask.off(&judged.understood) {

@@ -76,13 +76,7 @@ pub(in crate::exercises) fn diagnose(
         let agreement = agreement(ask, given, table).filter(|_| differs(table))?;
         is_evidence(ask, given, right, table).then_some(agreement)
     };
-    let slipped: Vec<(Slip, Table)> = in_order_of_telling(expected)
-        .into_iter()
-        .filter(|slip| !(ask.not_asked)(*slip))
-        .filter_map(|slip| Some((slip, expected.slipped(Slips::one(slip))?)))
-        .filter(|(slip, table)| differs(table) && ask.nature.shows(slip.mistake()))
-        .collect();
-    let slipped = without_idle_operations(ask, slipped);
+    let slipped = possible(ask, expected, right);
     let agreeing: Vec<(Slip, Agreement)> =
         slipped.iter().filter_map(|(slip, table)| Some((*slip, agreed(table)?))).collect();
     if let Some(best) = agreeing.iter().map(|(_, agreement)| *agreement).min() {
@@ -126,6 +120,17 @@ pub(in crate::exercises) fn diagnose(
     let may_be = |slip: &Slip| !is_excluded(*slip, ask, beside);
     let slipped: Vec<(Slip, Table)> = slipped.into_iter().filter(|(slip, _)| may_be(slip)).collect();
     two_together(ask, (expected, right), given, &slipped, |table| agreed(table).is_some(), of_table)
+}
+
+/// The slips that change the answer to a question, in order of preference, with their results.
+pub(in crate::exercises) fn possible(ask: &Ask, expected: &Expected, right: &Table) -> Vec<(Slip, Table)> {
+    let differs = |table: &Table| table.shape() == right.shape() && !ask.accepts_all(&table.entries, right);
+    let slipped = in_order_of_telling(expected)
+        .into_iter()
+        .filter(|slip| !(ask.not_asked)(*slip))
+        .filter_map(|slip| Some((slip, expected.slipped(Slips::one(slip))?)))
+        .filter(|(slip, table)| differs(table) && ask.nature.shows(slip.mistake()));
+    without_idle_operations(ask, slipped.collect())
 }
 
 /// True if a known mistake gives these numbers in one of the readings, to more digits than rounding matches by chance.

@@ -311,3 +311,32 @@ fn it_becomes_a_table() {
         assert_eq!(date(seconds), said);
     }
 }
+
+#[test]
+fn one_step_fewer_is_given_after_a_success_and_one_more_after_a_failure() {
+    const STEPS: u32 = 3;
+    let mut progress = Progress::default();
+    let given = |progress: &Progress| progress.given_steps("basis", STEPS as usize);
+    assert_eq!(given(&progress), 3);
+    solve(&mut progress, entry("basis").unwrap(), 0, 1);
+    // Steps right and wrong, with other numbers each time, and the number of given ones after them.
+    let (t, f) = (true, false);
+    let steps = [(t, 1), (t, 0), (t, 0), (f, 1), (t, 0), (f, 1), (f, 2), (f, 3), (f, 3), (t, 2)];
+    for (seed, (right, after)) in (1..).zip(steps) {
+        progress.stepped("basis", seed, "v", STEPS, right);
+        // Once more with the same numbers doesn't count, nor does solving the exercise then.
+        progress.stepped("basis", seed, "v", STEPS, !right);
+        solve(&mut progress, entry("basis").unwrap(), seed, 1);
+        assert_eq!(given(&progress), after, "{seed}");
+        let read = Progress::read(&progress.to_toml()).unwrap();
+        assert_eq!(read.exercises, progress.exercises);
+        progress = read;
+    }
+    // Of another family, and of a shorter solution.
+    assert_eq!(progress.given_steps("window", 3), 3);
+    assert_eq!((progress.given_steps("basis", 1), progress.given_steps("basis", 0)), (0, 0));
+    // A file from before there was the key.
+    let old = Progress::read("[exercise.basis]\nsolved = 2\n").unwrap();
+    assert_eq!(given(&old), 1);
+    assert_eq!(Progress::read(&old.to_toml()).unwrap().exercises, old.exercises);
+}

@@ -143,9 +143,13 @@ fn list<'a>(names: impl Iterator<Item = &'a str>) -> Option<Item> {
 impl Tried {
     fn read(table: &dyn TableLike) -> Result<Self, String> {
         let codes = known(table, "mistakes", names)?.unwrap_or_default();
+        let solved = known(table, "solved", count)?.unwrap_or_default();
         Ok(Self {
             tries: known(table, "tries", count)?.unwrap_or_default(),
-            solved: known(table, "solved", count)?.unwrap_or_default(),
+            solved,
+            // In files from before there was such a key, each solution counted.
+            own_steps: known(table, "own_steps", count)?.unwrap_or(solved),
+            stepped: known(table, "stepped", names)?.unwrap_or_default(),
             alone: known(table, "alone", count)?.unwrap_or_default(),
             solved_at: known(table, "solved_at", long)?,
             helped: known(table, "helped", longs)?.unwrap_or_default(),
@@ -163,6 +167,8 @@ impl Tried {
     fn write(&self, table: &mut dyn TableLike) {
         set(table, "tries", (self.tries > 0).then(|| value(i64::from(self.tries))));
         set(table, "solved", (self.solved > 0).then(|| value(i64::from(self.solved))));
+        set(table, "own_steps", (self.own_steps != self.solved).then(|| value(i64::from(self.own_steps))));
+        set(table, "stepped", list(self.stepped.iter().map(String::as_str)));
         set(table, "alone", (self.alone > 0).then(|| value(i64::from(self.alone))));
         set(table, "solved_at", self.solved_at.map(long_item));
         let helped: Array = self.helped.iter().map(u64::to_string).collect();
