@@ -64,7 +64,7 @@ pub use disk::{is_read_only, read_at_most, remove_left_over, save};
 pub use file_access::{FigureFiles, FileAccess};
 pub use file_change::{FileChange, Stamp, look};
 pub use lesson_files::{OwnLessons, is_lesson_file as is_lesson, read_lesson, read_lessons};
-pub use named_files::{Renamed, for_folder, named_in_figure, rename};
+pub use named_files::{Renamed, for_figure_file, for_folder, named_in_figure, rename};
 pub use own_exercises::{BadExercise, OwnExercises, entries, read_exercises};
 pub use patience::WINDOW_WAIT;
 #[cfg(not(target_arch = "wasm32"))]
