@@ -19,7 +19,6 @@ mod lesson;
 mod manual;
 mod matrix;
 mod opening;
-mod package;
 mod photograph;
 mod progress;
 mod render;

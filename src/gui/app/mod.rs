@@ -246,7 +246,9 @@ impl App {
             Theme::Dark => egui::Theme::Dark,
             Theme::Light | Theme::Print => egui::Theme::Light,
         };
-        if ctx.theme() != theme {
+        let visuals = theme::visuals(self.state.model.settings.theme);
+        if ctx.theme() != theme || ctx.style_of(theme).visuals != visuals {
+            ctx.set_visuals_of(theme, visuals);
             ctx.set_theme(theme);
             ctx.request_repaint();
         }

@@ -31,9 +31,8 @@ use camera_lab_words::{Lang, told};
 const SHARE: f32 = 0.42;
 /// The share that they may take while they are written.
 const SHARE_WRITTEN: f32 = 0.4;
-/// The share that they may take in a presentation during a question, so that the button that checks its answer is
-/// visible.
-const SHARE_ASKED: f32 = 0.5;
+/// The height of the title of a view and of the lines below the views, in points.
+const AROUND_VIEWS: f32 = 68.0;
 /// Lines of text that read well, in heights of a line.
 const LINE: f32 = 44.0;
 /// The least width at which text and task are side by side, in such lines. Large type in a presentation has little
@@ -180,12 +179,11 @@ pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -
     let ctx = ui.ctx().clone();
     let asks = playing.shows_question && playing.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))));
     let (writes, presents) = (learn.writes_lesson(model), model.settings.presentation);
-    let share = match (writes, presents && asks) {
-        (true, _) => SHARE_WRITTEN,
-        (false, true) => SHARE_ASKED,
-        (false, false) => SHARE,
-    };
-    let most = share * ctx.content_rect().height();
+    let share = if writes { SHARE_WRITTEN } else { SHARE };
+    let height = ctx.content_rect().height();
+    // The class looks at the pictures: they keep half of the height, without the title of a view and the line below.
+    let most = if presents { ui.available_height() - 0.5 * height - AROUND_VIEWS } else { share * height };
+    let most = most.max(2.0 * ui.spacing().interact_size.y);
     let notes = speaker::are_below(&ctx, model, playing);
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
     // Beside an exercise it's narrower, and as high as elsewhere.
@@ -404,11 +402,14 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
         None => told(lang, text).to_owned(),
     };
     let presents = model.settings.presentation;
+    // A text with a fault is shown as it's typed.
+    let faulty = writing.filter(|writing| writing.fault.is_some()).map(|writing| writing.typed.words.clone());
+    let [title, body] = faulty.as_ref().map_or([&step.title, &step.text], |[title, body, ..]| [title, body]);
     let say = |ui: &mut Ui| {
         if !presents {
-            ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).heading()).wrap());
+            ui.add(egui::Label::new(RichText::new(told(lang, title)).heading()).wrap());
         }
-        prose::show(ui, text(&step.text).trim());
+        prose::show(ui, text(body).trim());
     };
     let asks = step.task.is_some() && learn.lesson.as_ref().is_some_and(|playing| playing.shows_question);
     // An exercise takes one line here.
