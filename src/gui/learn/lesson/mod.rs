@@ -33,6 +33,9 @@ const SHARE: f32 = 0.42;
 const SHARE_WRITTEN: f32 = 0.4;
 /// The height of the title of a view and of the lines below the views, in points.
 const AROUND_VIEWS: f32 = 68.0;
+/// The share that they may take in a presentation during a question, so that the button that checks its answer is
+/// visible.
+const SHARE_ASKED: f32 = 0.5;
 /// Lines of text that read well, in heights of a line.
 const LINE: f32 = 44.0;
 /// The least width at which text and task are side by side, in such lines. Large type in a presentation has little
@@ -179,12 +182,16 @@ pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -
     let ctx = ui.ctx().clone();
     let asks = playing.shows_question && playing.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))));
     let (writes, presents) = (learn.writes_lesson(model), model.settings.presentation);
-    let share = if writes { SHARE_WRITTEN } else { SHARE };
+    let share = match (writes, presents && asks) {
+        (true, _) => SHARE_WRITTEN,
+        (false, true) => SHARE_ASKED,
+        (false, false) => SHARE,
+    };
     let height = ctx.content_rect().height();
-    // The class looks at the pictures: they keep half of the height, without the title of a view and the line below.
-    let most = if presents { ui.available_height() - 0.5 * height - AROUND_VIEWS } else { share * height };
-    let most = most.max(2.0 * ui.spacing().interact_size.y);
     let notes = speaker::are_below(&ctx, model, playing);
+    // With notes too, the pictures keep half of the height, without the title of a view and the lines below.
+    let left = if presents && notes { ui.available_height() - 0.5 * height - AROUND_VIEWS } else { f32::INFINITY };
+    let most = left.clamp(2.0 * ui.spacing().interact_size.y, share * height);
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
     // Beside an exercise it's narrower, and as high as elsewhere.
     let size = ctx.content_rect().size();

@@ -80,14 +80,14 @@ impl Canvas {
         model.label_mode.choose(chosen);
     }
 
-    /// The words of a label in the pictures, or, if it's hidden, those that it had.
+    /// The words of a label in the pictures, or, if it's hidden, those that it had, in plain letters.
     fn words_of(&self, ui: &Ui, name: &str) -> String {
         let id = Id::unique(("words of label", name));
         let mut labels = self.pictures.iter().flat_map(|picture| &picture.labels);
         let shown = labels.find(|label| label.name == name && !label.text.trim().is_empty());
         ui.data_mut(|data| {
             let words = data.get_temp_mut_or_insert_with(id, || name.to_owned());
-            shown.into_iter().for_each(|label| words.clone_from(&label.text));
+            shown.into_iter().for_each(|label| *words = label.text.chars().map(|c| face(c, false).1).collect());
             words.clone()
         })
     }
