@@ -508,7 +508,7 @@ fn package(args: &PackageArgs, lang: Lang) -> Result<(), Failure> {
         made = Some(parse_bytes(text.as_bytes()).map_err(|error| bad(&error))?);
     }
     // There is at least one exercise.
-    made.map_or(Ok(()), |lesson| super::package::write(&lesson, &text, &args.packed, (written, lang)))
+    made.map_or(Ok(()), |lesson| args.packed.write(&lesson, &text, (written, lang)))
 }
 
 /// Reports the mistakes of a class. A file that holds no progress is named in the report, and is no error.

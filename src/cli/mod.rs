@@ -19,7 +19,6 @@ mod lesson;
 mod manual;
 mod matrix;
 mod opening;
-mod package;
 mod photograph;
 mod progress;
 mod render;
@@ -253,7 +252,7 @@ fn text_for_file(
 ) -> Result<String, Failure> {
     // The folder of a link is none.
     let from = path.parent().filter(|_| share::link_of(path).is_none());
-    let text = update(&opened.text, &files::for_folder(figure, from, to).0);
+    let text = update(&opened.text, &files::for_figure_file(figure, from, to).0);
     read::parse_known(&text).map_err(|error| {
         let name = messages::opened(lang, path);
         Failure::BadInput(format!("{name}: {}", messages::without_line(lang, &error)))

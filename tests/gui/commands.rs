@@ -97,7 +97,7 @@ fn a_key_that_never_comes_up_is_not_held_for_ever() {
 fn every_command_stands_in_a_menu_with_its_keys() {
     let mut window = Window::new(Lang::En);
     let t = texts(Lang::En);
-    let titles = ["File", "Edit", "View", "Window", "Present", "Help"];
+    let titles = ["File", "Edit", "View", "Window", "Present", "Hand out", "Help"];
     let in_bar = || MENUS.iter().filter(|menu| menu.in_bar);
     assert_eq!(in_bar().count(), titles.len());
     for (title, menu) in titles.into_iter().zip(in_bar()) {

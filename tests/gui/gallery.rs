@@ -219,7 +219,7 @@ fn recent_files_are_offered_and_missing_ones_are_marked() {
 }
 
 #[test]
-fn a_folder_shows_its_figures_in_natural_order_and_names_errors() {
+fn a_folder_shows_everything_that_opens_the_newest_first_and_names_errors() {
     let folder = Folder::new("folder");
     for (name, text) in [
         ("aula 10.toml", "[scene]\npreset = \"cube\"\n"),
@@ -228,6 +228,14 @@ fn a_folder_shows_its_figures_in_natural_order_and_names_errors() {
         fs::write(folder.file(name), text).expect("written");
     }
     fs::write(folder.file("notes.txt"), "no figure").expect("written");
+    fs::write(folder.file("solid.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\n").expect("written");
+    fs::write(folder.file("mine.toml"), camera_lab::lessons::shipped()[0].text).expect("written");
+    fs::write(folder.file("photograph.png"), include_bytes!("../../dist/icon.png")).expect("written");
+    // The older, the later.
+    for (days, name) in (0..).zip(["aula 9.toml", "solid.obj", "mine.toml", "aula 10.toml"]) {
+        let file = fs::File::options().append(true).open(folder.file(name)).expect("a file");
+        file.set_modified(std::time::SystemTime::now() - Duration::from_secs(86_400 * days)).expect("a time");
+    }
     let mut window = Window::new(Lang::En);
     window.command_key(Key::G);
     window.harness.key_press_modifiers(Modifiers::CTRL, Key::Tab);
@@ -247,7 +255,13 @@ fn a_folder_shows_its_figures_in_natural_order_and_names_errors() {
     // Its own description is there as well, without a picture.
     window.wait_for("A nona aula.");
     window.wait_for("aula 10: ");
-    assert!(!window.says("notes: "));
-    let left = |label: &str| window.harness.get_by_label_contains(label).rect().left();
-    assert!(left("aula 9: ") < left("aula 10: "));
+    window.wait_for("solid: ");
+    assert!(!window.says("notes: ") && !window.says("photograph: "));
+    let place = |label: &str| {
+        let place = window.harness.get_by_label_contains(label).rect().min;
+        (place.y, place.x)
+    };
+    let lesson = format!("Lesson: {}", camera_lab::lessons::shipped()[0].lesson.title.en);
+    let places = ["aula 9: ", "solid: ", &lesson, "aula 10: "].map(place);
+    assert!(places.is_sorted(), "{places:?}");
 }

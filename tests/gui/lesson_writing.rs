@@ -60,7 +60,7 @@ fn of(lesson: &Lesson) -> Vec<String> {
 }
 
 /// Types into a field of the editor, in place of its text.
-fn type_into(window: &mut Window, field: &str, text: &str) {
+pub(crate) fn type_into(window: &mut Window, field: &str, text: &str) {
     let is_named = |role| window.harness.query_by_role_and_label(role, field);
     is_named(Role::TextInput).or_else(|| is_named(Role::MultilineTextInput)).unwrap().focus();
     window.run();
@@ -109,7 +109,7 @@ fn typed_text_is_shown_at_once_and_in_the_file_soon() {
 }
 
 /// Waits a second without a key.
-fn pause(window: &mut Window) {
+pub(crate) fn pause(window: &mut Window) {
     for _ in 0..100 {
         window.harness.step();
     }

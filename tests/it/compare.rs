@@ -115,7 +115,7 @@ fn sides_are_headed_by_words_and_by_the_symbols_of_the_notes() {
         let camera = Camera::new(&figure.camera).unwrap();
         let size = Size { width: 800, ..SIZE };
         let request = Request::of(&figure, View::Image, &camera, &scene(&figure), labels(lang), size);
-        let over = overlay(&request, &request.sides().unwrap(), None).unwrap();
+        let over = overlay(&request, &request.sides().unwrap(), &[], None).unwrap();
         over.labels.iter().map(|label| label.text.to_string()).collect::<Vec<_>>()
     };
     let turned = Comparison { with: Vec::new(), ops: vec!["azimuth=30".parse().unwrap()], ..Comparison::default() };

@@ -155,3 +155,25 @@ fn another_page_and_impossible_values_are_refused() {
     assert!(run.refused(2).contains("nothing"));
     assert!(!bench.names().contains(&"out.zip".to_owned()));
 }
+
+/// The page that a lecturer hands out opens with their lesson, in place of what it opened with before.
+#[test]
+fn a_page_for_students_opens_a_lesson() {
+    let bench = Bench::new("handed-out");
+    bench.write("page.html", PAGE);
+    let lesson = "id = \"mine\"\ntitle = \"Mine\"\n\n[[step]]\ntitle = \"One\"\ntext = \"One.\"\n";
+    bench.write("mine.toml", lesson);
+    bench.run(&["lesson", "page", "mine.toml", "--page", "page.html", "-o", "out.html"]).done();
+    let page = String::from_utf8(bench.read("out.html")).unwrap();
+    let link = page.split("location.replace('").nth(1).and_then(|rest| rest.split('\'').next()).unwrap();
+    assert_eq!(camera_lab_files::share::text_in(link), Some(Ok(lesson.as_bytes().to_vec())));
+    bench.run(&["lesson", "page", "basis", "--page", "out.html", "-o", "again.html"]).done();
+    let again = String::from_utf8(bench.read("again.html")).unwrap();
+    assert!(again.contains("&lesson=basis") && !again.contains("#lesson=") && again.ends_with("Stand-in for the page"));
+    bench.write(
+        "mesh.toml",
+        format!("{lesson}\n[[step.scene.objects]]\nname = \"m\"\nshape = \"mesh\"\npath = \"m.obj\"\n"),
+    );
+    let run = bench.run(&["lesson", "page", "mesh.toml", "--page", "page.html", "-o", "mesh.html"]);
+    assert!(run.refused(2).contains("m.obj"));
+}

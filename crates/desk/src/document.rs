@@ -2,12 +2,18 @@
 
 pub mod source;
 
+use std::collections::BTreeSet;
 use std::mem::take;
 use std::path::{Path, PathBuf};
 
+use glam::DVec3;
+
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
-use crate::figure::{Figure, Labels, Observers, Screen, Show};
+use crate::figure::{Figure, Labels, Observers, Screen, Show, update};
+use crate::progress::Progress;
+use crate::scene::{ObjectSpec, Preset, Shape};
+use crate::views::scene_of;
 use camera_lab_files::{
     Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename, share,
 };
@@ -64,7 +70,7 @@ impl Seen {
 
 /// The figure that a window begins with: the default scene, from a good viewpoint for it and its view volume.
 pub fn fresh() -> Figure {
-    Figure::of_preset(crate::scene::Preset::default())
+    Figure::of_preset(Preset::default())
 }
 
 impl Document {
@@ -127,6 +133,32 @@ impl Document {
         let reach = FileAccess::of_lesson(lesson, false);
         let lesson = lesson.filter(|path| share::link_of(path).is_none());
         Ok(Self { path: None, reach, ..Self::new(figure, lesson.map(file))? })
+    }
+
+    /// A new figure in the folder of a mesh, whose scene is the mesh, seen whole from a corner. If the mesh can't be
+    /// read, the figure names it all the same, and the window says why it's missing.
+    ///
+    /// # Errors
+    /// [`CameraError`] if no camera sees it.
+    pub fn of_mesh(path: &Path) -> Result<Self, CameraError> {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let named = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let mut figure = Figure::of_preset(Preset::Empty);
+        figure.scene.objects.push(ObjectSpec { segments: 32, ..ObjectSpec::new(name, Shape::Mesh { path: named }) });
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let mut files = FigureFiles::new(folder, FileAccess::of(path, true, false));
+        let scene = scene_of(&figure, &mut |wanted| files.read(wanted), &Progress::default());
+        if let Some((middle, points)) = scene.ok().and_then(|scene| scene.extent_of(&figure.scene, &BTreeSet::new())) {
+            let size = points.iter().map(|p| p.distance(middle)).fold(f64::MIN_POSITIVE, f64::max);
+            let position = middle + DVec3::new(3.0, 2.5, 4.0) * size;
+            let far = Parameters { position, focal_point: middle, near: size, far: 12.0 * size, ..figure.camera };
+            figure.camera = *Camera::new(&far)?.fitted_to(&points)?.parameters();
+        }
+        let text = update("", &figure);
+        Self::new(
+            figure,
+            Some(SourceFile { path: path.to_owned(), text, is_picture: true, carried: Carried::default() }),
+        )
     }
 
     /// A figure whose camera may be impossible. Then it's drawn with the first repair of its camera, and the fields

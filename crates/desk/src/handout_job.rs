@@ -4,6 +4,7 @@ use crate::export_error::ExportError;
 use crate::lessons::OpenLesson;
 use crate::picture::{Handout, PictureError};
 use crate::progress::Progress;
+use crate::sanitize;
 use crate::views::{SharedScene, View, Views, scene_of};
 use camera_lab_files::{FigureFiles, FileAccess};
 use camera_lab_words::handout::{self, HandoutOptions, NoPicture, Scenes, Solutions, Version, views_of};
@@ -15,6 +16,8 @@ pub struct Job {
     pub content: Content,
     /// The choices for the pages.
     pub options: HandoutOptions,
+    /// The address of the course's page, for the foot of each page. Empty if it isn't known.
+    pub address: String,
 }
 
 /// The content of a handout.
@@ -41,6 +44,18 @@ impl Job {
     /// # Errors
     /// [`ExportError`] if a picture can't be drawn.
     pub fn handout(&self, progress: &Progress) -> Result<Handout, ExportError> {
+        let mut handout = self.without_address(progress)?;
+        if !self.address.is_empty() {
+            for part in &mut handout.parts {
+                let own = if part.foot.is_empty() { String::new() } else { format!("{}  ·  ", part.foot) };
+                // An underscore would begin a subscript.
+                part.foot = format!("{own}{}", sanitize::escaped(&self.address).replace('_', "\\_"));
+            }
+        }
+        Ok(handout)
+    }
+
+    fn without_address(&self, progress: &Progress) -> Result<Handout, ExportError> {
         let options = self.options;
         match &self.content {
             Content::Lesson(OpenLesson { lesson, path, .. }) => {
@@ -65,8 +80,7 @@ impl Job {
     /// # Errors
     /// [`ExportError`] if a picture can't be drawn.
     pub async fn pdfs(&self, progress: &Progress) -> Result<(Vec<u8>, Option<Vec<u8>>), ExportError> {
-        let with =
-            |answers| Self { options: HandoutOptions { answers, ..self.options }, content: self.content.clone() };
+        let with = |answers| Self { options: HandoutOptions { answers, ..self.options }, ..self.clone() };
         let pdf = async |job: &Self| Ok::<_, ExportError>(job.handout(progress)?.pdf(progress).await?);
         let has_versions = matches!(&self.content, Content::Exercises(versions) if versions.len() > 1);
         if !has_versions || self.options.answers == Solutions::None {

@@ -37,6 +37,8 @@ pub enum Message {
     StepAdded(PathBuf, usize, Option<LeftOut>),
     /// A step was replaced by the state on the screen. Holds its lesson, and the files that it can't show.
     OutOfReach(PathBuf, LeftOut),
+    /// A step was replaced by the state on the screen. Holds the keys that changed.
+    StepTook(Vec<String>),
     /// The texts of a step can't be written into the file of its lesson.
     StepNotKept(PathBuf, FileError),
     /// Another program changed the file of the lesson.
@@ -166,6 +168,8 @@ impl Message {
             Self::OutOfReach(path, left_out) => {
                 (Error, format!("{}: {}", sanitize::path(path), messages::out_of_reach(lang, left_out)))
             }
+            Self::StepTook(keys) if keys.is_empty() => (News, lessons::texts(lang).took_nothing.to_owned()),
+            Self::StepTook(keys) => (News, format!("{} {}", lessons::texts(lang).took, keys.join(", "))),
             Self::StepNotKept(path, error) => {
                 let why = messages::file(lang, &sanitize::path(path), error);
                 (Error, format!("{}: {why}", lessons::texts(lang).not_written))

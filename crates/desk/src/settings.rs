@@ -30,6 +30,8 @@ pub struct Settings {
     pub digits: usize,
     /// The ground of the window and of its pictures. The theme that a figure file asks for counts in written pictures.
     pub theme: crate::appearance::Theme,
+    /// The theme before that of the strongest contrast.
+    pub theme_before: crate::appearance::Theme,
     /// Skip animations.
     pub reduce_motion: bool,
     /// True if the numbers below the operations are unfolded.
@@ -55,6 +57,11 @@ impl Settings {
 
     /// The factor of stroke widths and type sizes in the pictures, on top of the pixels per point of the window.
     pub fn stroke_scale(&self) -> f32 {
-        if self.presentation { 1.5 } else { 1.0 }
+        match (self.presentation, self.theme) {
+            (false, _) => 1.0,
+            // For a weak projector.
+            (true, crate::appearance::Theme::Print) => 1.7,
+            (true, _) => 1.5,
+        }
     }
 }

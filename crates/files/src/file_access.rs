@@ -155,6 +155,8 @@ impl FigureFiles {
             | FileError::Figure(_)
             | FileError::Link(_)
             | FileError::ReadOnly
+            | FileError::OtherPage
+            | FileError::OwnFile(_)
             | FileError::TooManyExercises => ReadProblem::system(&ErrorKind::InvalidData.into()),
         })?;
         self.left = self.left.saturating_sub(bytes.len());

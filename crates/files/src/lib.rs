@@ -3,6 +3,7 @@
 mod carried;
 mod file_access;
 mod file_change;
+pub mod hand_out;
 mod lesson_files;
 mod named_files;
 mod own_exercises;
@@ -63,8 +64,9 @@ pub use carried::Carried;
 pub use disk::{is_read_only, read_at_most, remove_left_over, save};
 pub use file_access::{FigureFiles, FileAccess};
 pub use file_change::{FileChange, Stamp, look};
+use hand_out::PAGE_NAME;
 pub use lesson_files::{OwnLessons, is_lesson_file as is_lesson, read_lesson, read_lessons};
-pub use named_files::{Renamed, for_folder, named_in_figure, rename};
+pub use named_files::{Renamed, for_figure_file, for_folder, named_in_figure, rename};
 pub use own_exercises::{BadExercise, OwnExercises, entries, read_exercises};
 pub use patience::WINDOW_WAIT;
 #[cfg(not(target_arch = "wasm32"))]
@@ -123,6 +125,14 @@ pub enum FileError {
         "is a mesh, not a figure. In the window, add it with Scene ▸ + Add ▸ mesh file…; in a figure file, write [[scene.objects]] with shape = \"mesh\" and path"
     )]
     Mesh,
+    /// A page that isn't that of this version in one file.
+    #[error("isn't the page of this version; allowed: {PAGE_NAME} of Camera Lab {}", env!("CARGO_PKG_VERSION"))]
+    OtherPage,
+    /// A page or package of something that names a file of the user's own.
+    #[error(
+        "can't hold {0}, a file of yours; allowed: named scenes, primitives, and meshes of the program (camera-lab:…)"
+    )]
+    OwnFile(String),
     /// A figure file with a fault.
     #[error(transparent)]
     Figure(#[from] FigureError),

@@ -34,6 +34,36 @@ fn whole_folder(folder: &Path) -> PathBuf {
 /// that a mesh names stay beside the mesh. A figure without a folder names them relative to the folder in which the
 /// program was started.
 pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> (Figure, Renamed) {
+    moved(figure, from, to, |file, _| named_in_figure(to, file))
+}
+
+/// As [`for_folder`], for a figure file, which may name files anywhere: a relative name stays relative, so that both
+/// folders can move together.
+pub fn for_figure_file(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> (Figure, Renamed) {
+    moved(figure, from, to, |file, old| {
+        let own = from.filter(|_| Path::new(old).is_relative());
+        own.and_then(|_| relative(to?, file)).unwrap_or_else(|| named_in_figure(to, file))
+    })
+}
+
+/// The name of an existing file relative to a folder, with slashes. `None` if there's none, as on another disk, or if
+/// links of the system would lead elsewhere.
+fn relative(folder: &Path, file: &Path) -> Option<String> {
+    let (folder, whole) = (whole_folder(folder), whole(file));
+    let common = folder.components().zip(whole.components()).take_while(|(a, b)| a == b).count();
+    let up = folder.components().skip(common).map(|_| "..".into());
+    let down = whole.components().skip(common).map(|part| part.as_os_str().to_string_lossy());
+    let name = up.chain(down).collect::<Vec<_>>().join("/");
+    let same = |path: &Path| disk::canonical(path).ok();
+    (common > 0 && same(&folder.join(&name)).is_some_and(|path| Some(path) == same(&whole))).then_some(name)
+}
+
+fn moved(
+    figure: &Figure,
+    from: Option<&Path>,
+    to: Option<&Path>,
+    name_of: impl Fn(&Path, &str) -> String,
+) -> (Figure, Renamed) {
     let (mut figure, mut renamed) = (figure.clone(), Renamed::new());
     if from.map(whole_folder) == to.map(whole_folder) {
         return (figure, renamed);
@@ -42,7 +72,7 @@ pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> (F
         let file = from.unwrap_or(Path::new("")).join(&*name);
         // A figure from elsewhere must not make the system look for another machine. An empty name hasn't been typed.
         if !name.is_empty() && !is_network(&file) && disk::may_exist(&file) {
-            let new = named_in_figure(to, &file);
+            let new = name_of(&file, name);
             renamed.insert(std::mem::replace(name, new.clone()), new);
         }
     }
@@ -60,7 +90,11 @@ pub fn rename<'a>(names: impl Iterator<Item = &'a mut String>, renamed: &Renamed
 
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
+
     use super::*;
+    use crate::scene::{ObjectSpec, Shape};
+    use crate::testing::Directory;
 
     #[test]
     fn files_are_named_relative_to_their_figure() {
@@ -68,5 +102,28 @@ mod tests {
         assert_eq!(named(Some("/lecture"), "/lecture/meshes/cow.obj"), "meshes/cow.obj");
         assert_eq!(named(Some("/lecture"), "/other/cow.obj"), "/other/cow.obj");
         assert_eq!(named(None, "/other/cow.obj"), "/other/cow.obj");
+    }
+
+    #[test]
+    fn relative_names_of_a_figure_file_stay_relative_in_another_folder() {
+        let directory = Directory::new("relative");
+        let path = |name: &str| directory.path().join(name);
+        for folder in ["a/meshes", "b/c"] {
+            std::fs::create_dir_all(path(folder)).expect("a folder");
+        }
+        std::fs::write(path("a/meshes/m.obj"), "v 0 0 0\n").expect("a file");
+        let whole = path("a/meshes/m.obj").display().to_string();
+        let mut figure = Figure::default();
+        for name in ["meshes/m.obj", whole.as_str(), "missing.obj", "camera-lab:teapot.obj"] {
+            figure.scene.objects.push(ObjectSpec::new(name.to_owned(), Shape::Mesh { path: name.to_owned() }));
+        }
+        let names = |figure: &mut Figure| figure.files_mut().map(|name| name.clone()).collect::<Vec<_>>();
+        let (mut moved, _) = for_figure_file(&figure, Some(&path("a")), Some(&path("b/c")));
+        assert_eq!(names(&mut moved), ["../../a/meshes/m.obj", &whole, "missing.obj", "camera-lab:teapot.obj"]);
+        let (mut back, _) = for_figure_file(&moved, Some(&path("b/c")), Some(&path("a")));
+        assert_eq!(names(&mut back)[0], "meshes/m.obj");
+        // What a lesson or a picture names must be in its folder, so there the whole path says more.
+        let (mut other, _) = for_folder(&figure, Some(&path("a")), Some(&path("b/c")));
+        assert_eq!(names(&mut other)[0], whole);
     }
 }

@@ -58,9 +58,13 @@ pub enum ShareError {
 /// [`ShareError::TooLong`].
 pub fn link(address: &str, held: Held, text: &str) -> Result<String, ShareError> {
     let address = address.split('#').next().unwrap_or_default();
-    let link =
-        format!("{address}{}{}", held.key(), URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(text.as_bytes(), LEVEL)));
+    let link = format!("{address}{}", fragment(held, text));
     if link.len() > MAX_LINK_CHARACTERS { Err(ShareError::TooLong(link.len())) } else { Ok(link) }
+}
+
+/// The end of a link, from the `#` on: letters, digits, `-`, `_` and `=`.
+pub fn fragment(held: Held, text: &str) -> String {
+    format!("{}{}", held.key(), URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(text.as_bytes(), LEVEL)))
 }
 
 /// The text of the figure or lesson in a link, or in its part from the `#` on. `None` if there is neither in it.

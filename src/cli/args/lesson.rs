@@ -35,6 +35,8 @@ pub(in crate::cli) enum LessonCommand {
     Play(PlayArgs),
     /// Pack a lesson for a course platform, as a zip of SCORM 1.2
     Package(PackageArgs),
+    /// Write the page in one file that opens with a lesson, for your students
+    Page(PageArgs),
 }
 
 /// Which lesson.
@@ -128,6 +130,18 @@ pub(in crate::cli) struct PackageArgs {
     pub(in crate::cli) which: WhichArgs,
     #[command(flatten)]
     pub(in crate::cli) packed: PackedArgs,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct PageArgs {
+    #[command(flatten)]
+    pub(in crate::cli) which: WhichArgs,
+    /// The page in one file, camera-lab.html, of this version
+    #[arg(long, value_name = "PAGE.html")]
+    pub(in crate::cli) page: PathBuf,
+    /// File to write: .html
+    #[arg(short, long, value_name = "OUT.html")]
+    pub(in crate::cli) output: PathBuf,
 }
 
 #[derive(Debug, Args)]

@@ -14,8 +14,9 @@ use crate::camera::Camera;
 use crate::cli::args::exercise::ListArgs;
 use crate::cli::args::figure::size;
 use crate::cli::args::lesson::{
-    CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, PackageArgs, PlayArgs, ShowArgs, WhichArgs,
+    CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, PackageArgs, PageArgs, PlayArgs, ShowArgs, WhichArgs,
 };
+use crate::cli::args::package::{of_file, page_of};
 use crate::cli::args::words::{LangArg, TableFormat, written};
 use crate::cli::lesson::step_pictures::{Found, composite, files_of, scene, size_of};
 use crate::exercises::Entry;
@@ -31,7 +32,9 @@ use crate::picture::{self, Composite, FileOptions};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::Scene;
-use camera_lab_files::{self as files, FileError, share};
+use camera_lab_files::hand_out;
+use camera_lab_files::share::{self, Held, fragment};
+use camera_lab_files::{self as files, FileError};
 use camera_lab_words::handout::{self, HandoutOptions, Scenes, Solutions, views_of};
 use camera_lab_words::learn::lessons as texts;
 use camera_lab_words::{Lang, command_line, messages, pictures};
@@ -44,6 +47,7 @@ pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>,
         LessonCommand::Check(args) => check(args, lang)?,
         LessonCommand::Render(args) => render(args, lang)?,
         LessonCommand::Package(args) => package(args, lang)?,
+        LessonCommand::Page(args) => page(args, lang)?,
         LessonCommand::Play(args) => return play(args, lang).map(Some),
     }
     Ok(None)
@@ -71,16 +75,25 @@ fn read(path: &Path, lang: Lang) -> Result<(Lesson, String), Failure> {
     files::read_lesson(path).map_err(|error| of_file(path, &error, lang))
 }
 
-fn of_file(path: &Path, error: &FileError, lang: Lang) -> Failure {
-    Failure::BadInput(messages::file(lang, &messages::opened(lang, path), error))
-}
-
 /// Packs a lesson. A built-in one is in the page already.
 fn package(args: &PackageArgs, lang: Lang) -> Result<(), Failure> {
     let Found { lesson, path } = find(&args.which, lang)?;
     let text = path.map(|path| read(&path, lang)).transpose()?.map(|(_, text)| text);
     let opened = text.as_deref().unwrap_or(&lesson.id);
-    super::package::write(&lesson, opened, &args.packed, (written(args.which.lang), lang))
+    args.packed.write(&lesson, opened, (written(args.which.lang), lang))
+}
+
+/// Writes the page that opens with a lesson.
+fn page(args: &PageArgs, lang: Lang) -> Result<(), Failure> {
+    let Found { lesson, path } = find(&args.which, lang)?;
+    let page = page_of(&args.page, lang)?;
+    let opens = match path {
+        Some(path) => fragment(Held::Lesson, &read(&path, lang)?.1),
+        None => hand_out::of_shipped(&lesson.id),
+    };
+    hand_out::without_files(lesson.steps.iter().map(|step| &*step.figure))
+        .map_err(|error| of_file(&args.output, &error, lang))?;
+    save(&args.output, hand_out::page_with(&page, &opens).as_bytes(), None, lang)
 }
 
 fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {

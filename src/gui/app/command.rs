@@ -175,7 +175,7 @@ mod tests {
         }
     }
 
-    /// The guides give keys behind the name of a command, as in `*File ▸ Copy a link…* (Ctrl+K)`.
+    /// The guides give keys behind the name of a command, as in `*Hand out ▸ Copy a link…* (Ctrl+K)`.
     #[test]
     fn keys_in_the_guides_are_those_of_their_commands() {
         let (mut faults, mut compared, ctx) = (Vec::new(), 0, Context::default());

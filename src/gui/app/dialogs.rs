@@ -153,6 +153,7 @@ fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog,
         Dialog::Handout(mut form) => {
             let State { model, learn, file_flow, .. } = &mut *state;
             let pressed = handout::dialog::show(ui, model, learn, &mut file_flow.pages, &mut form, first);
+            learn.ticks = form.ticks();
             asked_file(ctx, state, pressed, Purpose::Handout(form.clone()), Dialog::Handout(form))
         }
         Dialog::Lessons => lesson::list(ui, &mut state.model, &state.learn).then_some(Dialog::Lessons),

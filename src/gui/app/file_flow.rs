@@ -6,6 +6,7 @@
 //! ```
 
 pub(super) mod file_kind;
+pub(super) mod hand_out;
 pub(super) mod link_dialog;
 mod opening;
 pub(super) mod qr;
@@ -93,7 +94,13 @@ fn meet(ctx: &egui::Context, state: &mut State, need: Need) {
             // The program wrote it, for a camera that it had measured. A test opens every one.
             Err(_) => {}
         },
-        Need::Do(Intent::Lesson(open)) => state.learn.play(&mut state.model, open),
+        Need::Do(Intent::Lesson(open)) => {
+            open.path
+                .iter()
+                .filter(|path| files::share::link_of(path).is_none())
+                .for_each(|path| state.recent.add(path));
+            state.learn.play(&mut state.model, open);
+        }
         Need::Do(Intent::LeaveLesson) => state.learn.leave_lesson(&mut state.model),
         Need::Do(Intent::WriteRecorded) => state.learn.write_recorded(&mut state.model),
         Need::Do(Intent::ReadLesson) => state.learn.read_lesson_again(&mut state.model),
@@ -222,6 +229,7 @@ pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
 
 /// Opens or writes the file, with the overwrites in `agreed`.
 pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path, agreed: Agreed) {
+    let writes_lesson = purpose.writes_lesson();
     match purpose {
         Purpose::Open => open(ctx, state, path),
         Purpose::Save => write(ctx, state, Save::of(&state.model, path.to_owned(), agreed)),
@@ -233,6 +241,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             FileFor::Animation(_) | FileFor::Chart(_) | FileFor::Progress | FileFor::ClassReport(_) | FileFor::Keys(_),
         )
         | Purpose::Handout(_)
+        | Purpose::HandOut(..)
         | Purpose::Step
         | Purpose::NewLesson
         | Purpose::OwnLesson
@@ -272,6 +281,11 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             let what = ExportKind::Animation(decomposition, state.model.settings.theme);
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
+        Purpose::Page(what) => hand_out::take_page(ctx, state, what, path),
+        Purpose::HandOut(what, page) => {
+            let bytes = hand_out::bytes(state, what, &page);
+            save_bytes(&mut state.model, path, bytes, &agreed);
+        }
         Purpose::Handout(form) => {
             let what = ExportKind::Handout(Box::new(form.job(&state.learn)));
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
@@ -294,6 +308,9 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Export(options) => {
             export(ctx, state, ExportKind::Pictures(options), (path.to_owned(), agreed.overwrite()));
         }
+    }
+    if writes_lesson && state.learn.file.as_deref() == Some(path) {
+        state.recent.add(path);
     }
 }
 

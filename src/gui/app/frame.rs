@@ -111,7 +111,7 @@ impl App {
         }
         status::error(ui, &mut self.state.model);
         if presenting {
-            presentation::caption(ui, &self.state.model);
+            presentation::caption(ui, &self.state.model, &self.state.learn);
         }
         // The exercise of a step has the whole height, because it's longer than the text of the step.
         let has_height = !presenting && self.state.learn.works_on_step() && self.state.model.shows_exercises();
@@ -132,6 +132,7 @@ impl App {
 
     /// News and offers, each in a line of its own.
     fn notices(&mut self, ui: &mut egui::Ui) {
+        self.end_start(ui.ctx());
         self.recovery(ui);
         session_news::bar(ui, self.state.model.settings.lang, &mut self.state.file_flow.news);
         if let Some(intent) = status::changed_file(ui, &self.state.model, &mut self.state.file_flow) {
@@ -141,6 +142,23 @@ impl App {
             self.perform(ui.ctx(), command);
         }
         lesson::go_on(ui, &mut self.state.model, &mut self.state.learn);
+    }
+
+    /// Once the user has begun something, the lines about the start go: the offers, and that the session was restored.
+    fn end_start(&mut self, ctx: &egui::Context) {
+        let State { model, learn, file_flow, .. } = &mut self.state;
+        let now = (model.desk.shown.id(), model.desk.shown.version(), file_flow.news.has_restored());
+        let id = egui::Id::unique("figure of the start");
+        let start = ctx.data_mut(|data| *data.get_temp_mut_or_insert_with(id, || now));
+        if now == start {
+            return;
+        }
+        // Restoring another session is a start too.
+        if now.2 == start.2 {
+            learn.take_offer(model);
+            file_flow.news.forget_restored();
+        }
+        ctx.data_mut(|data| data.insert_temp(id, (now.0, now.1, file_flow.news.has_restored())));
     }
 
     /// The open panels: studies below, parameters at the left, operations and explanations at the right.
@@ -249,6 +267,7 @@ impl App {
         presentation::show(&ctx, &self.state.model, &mut self.state.annotations, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
+        status::toast(&ctx, &self.state.model, pictures.response.rect);
         if let Some(command) = of_bar {
             self.perform(&ctx, command);
         }

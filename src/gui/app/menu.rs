@@ -105,6 +105,14 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
     for menu in MENUS.iter().filter(|menu| menu.in_bar) {
         ui.menu_button((menu.title)(t), |ui| {
             ui.set_min_width(220.0);
+            let rows = menu.groups(&state.model).flatten().filter(|command| command.is_listed(state)).count();
+            let room = ui.ctx().content_rect().bottom() - ui.cursor().top();
+            #[expect(clippy::cast_precision_loss, reason = "some twenty")]
+            if (rows + 2) as f32 * (ui.spacing().interact_size.y + ui.spacing().item_spacing.y) > room {
+                // The large letters of a presentation.
+                (ui.spacing_mut().item_spacing.y, ui.spacing_mut().button_padding.y) = (0.0, 0.0);
+                ui.spacing_mut().interact_size.y = ui.text_style_height(&TextStyle::Button);
+            }
             let mut is_first = true;
             let has_marks = menu.groups(&state.model).flatten().any(|command| command.is_on(state).is_some());
             for group in menu.groups(&state.model) {

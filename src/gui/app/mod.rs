@@ -246,7 +246,13 @@ impl App {
             Theme::Dark => egui::Theme::Dark,
             Theme::Light | Theme::Print => egui::Theme::Light,
         };
-        if ctx.theme() != theme {
+        let visuals = theme::visuals(self.state.model.settings.theme);
+        if ctx.theme() != theme || ctx.style_of(theme).visuals.panel_fill != visuals.panel_fill {
+            // The caret has its own settings.
+            ctx.style_mut_of(theme, |style| {
+                let text_cursor = style.visuals.text_cursor.clone();
+                style.visuals = egui::Visuals { text_cursor, ..visuals };
+            });
             ctx.set_theme(theme);
             ctx.request_repaint();
         }

@@ -36,7 +36,7 @@ pub(in crate::gui) fn zoom(window: egui::Vec2) -> f32 {
 const INK: Color32 = Color32::from_rgb(0xe0, 0x2a, 0x1f);
 
 /// The plain keys of a presentation, including those of a remote control.
-pub(in crate::gui) const KEYS: [(KeyboardShortcut, Command); 10] = [
+pub(in crate::gui) const KEYS: [(KeyboardShortcut, Command); 11] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::PageDown), Command::NextFigure),
     (KeyboardShortcut::new(Modifiers::NONE, Key::PageUp), Command::PreviousFigure),
     (KeyboardShortcut::new(Modifiers::NONE, Key::P), Command::Pen),
@@ -47,6 +47,7 @@ pub(in crate::gui) const KEYS: [(KeyboardShortcut, Command); 10] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::C), Command::StepText),
     (KeyboardShortcut::new(Modifiers::NONE, Key::Q), Command::StepQuestion),
     (KeyboardShortcut::new(Modifiers::NONE, Key::N), Command::StepNotes),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::K), Command::Contrast),
 ];
 
 /// The keys of a remote control, which turn the steps of a lesson without a presentation too.
@@ -118,7 +119,7 @@ impl RestingPointer {
 const EDGE: f32 = 26.0;
 
 /// The bar of a presentation, over the pictures. It appears when the pointer goes to the upper border, and stays while
-/// one of its menus is open. News take its place meanwhile. Returns the chosen command.
+/// one of its menus is open. Returns the chosen command.
 pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     let id = Id::unique("bar of the presentation");
     let was_shown = ctx.data(|data| data.get_temp::<bool>(id)).unwrap_or(false);
@@ -129,16 +130,6 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     ctx.data_mut(|data| data.insert_temp(id, is_shown));
     let area = Area::new(id).order(Order::Middle).fixed_pos(ctx.content_rect().min).constrain(false);
     if !is_shown {
-        let message = state.model.message.as_ref().filter(|message| !message.is_error())?;
-        // At the foot of the pictures, because the title and the caption are above them.
-        let foot = ctx.content_rect().center_bottom() - vec2(0.0, 4.0 * EDGE);
-        area.fixed_pos(foot).pivot(egui::Align2::CENTER_BOTTOM).show(ctx, |ui| {
-            let most = (ctx.content_rect().width() - 60.0).max(100.0);
-            egui::Frame::popup(ui.style()).show(ui, |ui| {
-                ui.set_max_width(most);
-                ui.label(message.text(state.model.settings.lang));
-            });
-        });
         return None;
     }
     let shown = area.show(ctx, |ui| {
@@ -152,10 +143,14 @@ pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
 /// Lines of a caption, at most.
 const CAPTION_ROWS: usize = 2;
 
-/// The title and the caption of the figure, large, above the pictures. Shows nothing if it has none.
-pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model) {
+/// The title and the caption of the figure, large, above the pictures. Shows nothing if it has none. The title of a
+/// step may have been edited since its figure was shown.
+pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model, learn: &Learn) {
     let figure = model.desk.shown.figure();
-    let has_none = figure.title.is_none() && figure.caption.is_none();
+    let of_step = learn.lesson.as_ref().and_then(|playing| playing.now()).map(|step| &step.title);
+    let is_own = figure.title != model.desk.shown.saved().title;
+    let title = of_step.filter(|title| !is_own && !title.en.is_empty()).or(figure.title.as_ref());
+    let has_none = title.is_none() && figure.caption.is_none();
     if has_none || model.desk.shown.has_words_of_card() {
         return;
     }
@@ -163,8 +158,13 @@ pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model) {
     egui::Panel::top("caption").show(ui, |ui| {
         let body = TextStyle::Body.resolve(ui.style());
         let rows = [
-            (&figure.title, TextStyle::Heading.resolve(ui.style()), ui.visuals().strong_text_color(), 1),
-            (&figure.caption, FontId::new(1.15 * body.size, body.family), ui.visuals().text_color(), CAPTION_ROWS),
+            (title, TextStyle::Heading.resolve(ui.style()), ui.visuals().strong_text_color(), 1),
+            (
+                figure.caption.as_ref(),
+                FontId::new(1.15 * body.size, body.family),
+                ui.visuals().text_color(),
+                CAPTION_ROWS,
+            ),
         ];
         for (text, font, color, rows) in rows {
             let Some(text) = text else { continue };
@@ -193,7 +193,8 @@ pub(in crate::gui) fn show(ctx: &Context, model: &Model, annotations: &mut Annot
     }
     let t = window::texts(model.settings.lang);
     if annotations.frozen {
-        label(ctx, &painter, t.frozen, (room.center_top() + vec2(0.0, 44.0), room.width()));
+        // Over the titles, where no labels are.
+        label(ctx, &painter, t.frozen, (room.center_top() + vec2(0.0, 0.5 * EDGE), room.width()));
     }
     if annotations.spot
         && let Some(pointer) = ctx.pointer_hover_pos().filter(|pointer| room.contains(*pointer))
@@ -258,7 +259,7 @@ fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (P
     let font = TextStyle::Body.resolve(&style);
     let galley = painter.layout(text.to_owned(), font, color, (width - 48.0).max(80.0));
     let rect = Rect::from_center_size(center, galley.size());
-    painter.rect_filled(rect.expand2(vec2(10.0, 6.0)), 5.0, style.visuals.window_fill.gamma_multiply(0.94));
+    painter.rect_filled(rect.expand2(vec2(10.0, 3.0)), 5.0, style.visuals.window_fill.gamma_multiply(0.94));
     painter.galley(rect.min, galley, color);
 }
 

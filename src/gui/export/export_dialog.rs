@@ -6,6 +6,7 @@ use eframe::egui::{self, Color32, Id, Key, Modifiers, Rect, RichText, Sense, Vec
 use super::family;
 use super::preview::{Preview, can_be_copied};
 use crate::appearance::Theme;
+use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
 use crate::export::paper::PaperPreset;
 use crate::gui::export::family_choice::FamilyChoice;
@@ -24,13 +25,18 @@ use camera_lab_words::{families, pictures};
 const SETTINGS: f32 = 360.0;
 const PICTURE: Vec2 = vec2(360.0, 240.0);
 const BETWEEN: f32 = 20.0;
-pub(in crate::gui) const WIDTH: f32 = SETTINGS + BETWEEN + PICTURE.x;
+/// For a scroll bar.
+const BAR: f32 = 10.0;
+pub(in crate::gui) const WIDTH: f32 = SETTINGS + BETWEEN + PICTURE.x + BAR;
 
-/// The height of the settings without a family and without paper, in points.
-const SETTINGS_HIGH: f32 = 290.0;
+/// The height of the settings, if the window has it: with paper and vectors.
+const SETTINGS_HIGH: f32 = 430.0;
 
 /// The height of the parts above and below the settings, in points.
 const AROUND: f32 = 130.0;
+
+/// The choice of m × n pixels, which are typed ones from then on.
+const PIXELS_OF_IMAGE: (Option<u32>, bool) = (Some(0), false);
 
 /// The narrowest picture that deserves its room.
 const LEAST_PICTURE: f32 = 120.0;
@@ -63,11 +69,11 @@ pub(in crate::gui) fn show(
     }
     ui.heading(t.export_heading);
     ui.add_space(6.0);
-    let room = (ui.available_width() - SETTINGS - BETWEEN).min(PICTURE.x);
-    // In a low window the settings scroll, and the buttons stay visible.
-    let height = (ui.ctx().content_rect().height() - AROUND).max(LEAST_PICTURE);
-    let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height.min(SETTINGS_HIGH));
-    let area = area.auto_shrink([false, true]);
+    let room = (ui.available_width() - SETTINGS - BETWEEN - BAR).min(PICTURE.x);
+    // Of one height, so that the dialog keeps its place. In a low window the settings scroll, and the buttons stay
+    // visible.
+    let height = (ui.ctx().content_rect().height() - AROUND).clamp(LEAST_PICTURE, SETTINGS_HIGH);
+    let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink(false);
     let row = |ui: &mut egui::Ui| {
         ui.spacing_mut().item_spacing.x = BETWEEN;
         let width = SETTINGS.min(ui.available_width());
@@ -228,7 +234,7 @@ fn chequers(painter: &egui::Painter, rect: Rect) {
 type Fault = (&'static str, FieldError);
 
 /// The settings. Returns the faults of typed texts. `enter` becomes true if Enter is pressed in the width on paper or
-/// in the values of a family.
+/// in the values of a family. A choice adds rows only below itself, so that nothing moves under the pointer.
 fn settings(
     ui: &mut egui::Ui,
     t: &'static Texts,
@@ -249,8 +255,12 @@ fn settings(
         (Views::One(View::Image), t.show_image),
     ];
     choice_row(ui, t.export_what, "", &mut export.what, &what);
-    family::rows(ui, t, choices.family, enter);
-    let sizes = [
+    formats(ui, t, export);
+    let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
+    choice_row(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes);
+    let ImageSize { width: m, height: n } = model.desk.shown.figure().image;
+    let pixels_of_image = format!("m × n = {m} × {n}");
+    let mut sizes = vec![
         ((Some(1), false), "1 ×"),
         ((Some(2), false), "2 ×"),
         ((Some(3), false), "3 ×"),
@@ -258,8 +268,15 @@ fn settings(
         ((None, false), t.export_typed),
         ((None, true), t.export_paper),
     ];
+    if export.what == Views::One(View::Image) {
+        sizes.push((PIXELS_OF_IMAGE, &pixels_of_image));
+    }
     let mut size = (export.times.filter(|_| !export.on_paper), export.on_paper);
     choice_row(ui, t.export_size, t.export_size_hint, &mut size, &sizes);
+    if size == PIXELS_OF_IMAGE {
+        size = (None, false);
+        (export.width, export.height, export.scale) = (m, n, 1.0);
+    }
     (export.times, export.on_paper) = size;
     let mut errors = if export.on_paper { paper(ui, t, export, enter) } else { Vec::new() };
     export.fit_screen(model.frame.picture_sizes, model.frame.screen_scale);
@@ -279,9 +296,6 @@ fn settings(
     for (field, error) in &errors {
         complaint(ui, &format!("{field}: {}", error.text(t.lang)));
     }
-    let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
-    choice_row(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes);
-    formats(ui, t, export);
     let faces = [
         (Faces::Auto, t.export_faces_auto),
         (Faces::Areas, t.export_faces_areas),
@@ -305,6 +319,7 @@ fn settings(
         }
     });
     checkbox(ui, &mut export.crop, t.export_crop, t.export_crop_hint);
+    family::rows(ui, t, choices.family, enter);
     ui.label(RichText::new(t.export_note).small().weak());
     errors
 }

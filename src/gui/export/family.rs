@@ -127,7 +127,8 @@ fn words_of(subject: Subject, t: &Texts) -> Vec<(&'static str, &'static str)> {
 
 /// A field for typed values or captions. True if Enter is pressed in it.
 fn line(ui: &mut egui::Ui, t: &'static Texts, text: &mut String, (name, hint): (&str, &str)) -> bool {
-    let width = ui.available_width().min(200.0);
+    // At the right end of a row, the room follows the width of the field.
+    let width = 200.0;
     let end = text.chars().count();
     let field = TextField::line(text, crate::limits::MAX_TYPED_NAME).with(|edit| edit.desired_width(width));
     let response = field.show(ui, t.lang).explained(hint).accessible_name(name);

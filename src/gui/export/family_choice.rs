@@ -120,10 +120,13 @@ impl FamilyChoice {
         self
     }
 
-    /// Takes a subject. [`Subject::Nothing`] ends the family, which is remembered.
+    /// Takes a subject. [`Subject::Nothing`] ends the family, which is remembered: if its subject is chosen again, it's
+    /// as it was.
     pub fn choose(&mut self, subject: Subject) {
         if subject == Subject::Nothing {
             self.last = self.remembered();
+        } else if self.first.subject == Subject::Nothing && subject == self.last[0].subject {
+            return [self.first, self.second] = self.last.clone();
         }
         self.first.choose(subject);
     }
@@ -194,8 +197,11 @@ mod tests {
         let was = family.clone();
         family.choose(Subject::Nothing);
         assert_eq!(family.variations(), None);
+        let mut again = family.clone();
+        again.choose(was.first.subject);
         let back = family.or_last();
-        assert_eq!([back.first, back.second], [was.first, was.second]);
+        assert_eq!([back.first, back.second], [was.first.clone(), was.second.clone()]);
+        assert_eq!([again.first, again.second], [was.first, was.second], "chosen from the list");
     }
 
     #[test]

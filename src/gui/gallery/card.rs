@@ -6,25 +6,31 @@ use std::hash::{Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 
 use crate::appearance::Theme;
+use crate::export::format::{FIGURE_ENDINGS, PictureFormat};
 use crate::export::png::figure_bytes;
 use crate::figure::{Figure, Localized};
 use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
+use crate::scene::import::MESH_ENDINGS;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
-use camera_lab_desk::Source;
+use camera_lab_desk::{Document, Source};
 use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
+use camera_lab_words::learn::lessons;
 use camera_lab_words::{Lang, messages, pictures, told, window};
 
 /// The size of a small picture in pixels.
 pub(super) const SIZE: Size = Size { width: 192, height: 144, scale: 1.0 };
 
-/// Number of cached thumbnails, by their content. Users look at fewer in one folder.
-const MOST_KEPT: usize = 400;
+/// Number of displayed files of a folder.
+pub(super) const MOST_FILES: usize = 500;
+
+/// Number of cached thumbnails, by their content.
+const MOST_KEPT: usize = MOST_FILES + 100;
 
 /// A request to the worker.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum CardJob {
-    /// The figure files of a folder.
+    /// The files of a folder that can be opened.
     List(PathBuf),
     /// Which of these files exist.
     Sort(Vec<PathBuf>),
@@ -36,8 +42,9 @@ pub(super) enum CardJob {
 
 /// The result of a request.
 pub(super) enum CardOutcome {
-    /// The figure files of this folder, in natural order, or the reason why it can't be read.
-    Listed(PathBuf, Result<Vec<PathBuf>, FileError>),
+    /// The files of this folder that can be opened, the newest first, and the number of older ones that weren't looked
+    /// into, or the reason why it can't be read.
+    Listed(PathBuf, Result<(Vec<PathBuf>, usize), FileError>),
     /// These files, existing ones first, and the missing ones.
     Sorted(Vec<PathBuf>, HashSet<PathBuf>),
     /// The titles and captions of figures. Empty if there is none, or if the figure can't be read.
@@ -65,7 +72,7 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
     let mut kept: HashMap<u64, Drawn> = HashMap::new();
     async move |job, progress: &Progress| match job {
         CardJob::List(folder) => {
-            let list = figures_in(&folder);
+            let list = files_in(&folder, progress);
             CardOutcome::Listed(folder, list)
         }
         CardJob::Sort(paths) => {
@@ -85,6 +92,10 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
             let text = read(&source);
             let mut hasher = DefaultHasher::new();
             (text.as_ref().ok(), theme as u8, lang, source.folder()).hash(&mut hasher);
+            if let Some(path) = mesh(&source) {
+                // It's read once, when it's drawn.
+                (path, files::disk::written(path)).hash(&mut hasher);
+            }
             let key = hasher.finish();
             if let (Some(drawn), Ok(_)) = (kept.get(&key), &text) {
                 return CardOutcome::Drawn(source, drawn.clone());
@@ -105,8 +116,18 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
     }
 }
 
+/// The file of a mesh, which opens as a scene.
+fn mesh(source: &Source) -> Option<&Path> {
+    match source {
+        Source::File(path) if files::has_ending(path, MESH_ENDINGS) => Some(path),
+        _ => None,
+    }
+}
+
+/// The bytes of a figure. None for a mesh.
 fn read(source: &Source) -> Result<Vec<u8>, FileError> {
     match source {
+        _ if mesh(source).is_some() => Ok(Vec::new()),
         Source::Shipped(name) => {
             Ok(ShippedFigure::named(name).map(|figure| figure.text().as_bytes().to_vec()).unwrap_or_default())
         }
@@ -114,8 +135,15 @@ fn read(source: &Source) -> Result<Vec<u8>, FileError> {
     }
 }
 
-/// The figure of a card: that of its file, or the first step of a lesson, with title and sentence of the lesson.
+/// The figure of a card: that of its file, the scene of a mesh, or the first step of a lesson, with title and sentence
+/// of the lesson.
 fn figure_of(source: &Source, bytes: &[u8]) -> Result<Opened, FileError> {
+    if let Some(path) = mesh(source) {
+        // Numbers that are too large for any camera.
+        let document = Document::of_mesh(path).map_err(|_| FileError::Read(std::io::ErrorKind::InvalidData.into()))?;
+        let figure = document.figure().clone();
+        return Ok(Opened { figure, text: String::new(), from_picture: true, carried: Default::default() });
+    }
     match source {
         Source::File(path) if files::is_lesson(path) => {
             let lesson = crate::lessons::parse_bytes(bytes)?;
@@ -161,7 +189,11 @@ fn said_by(source: &Source, lang: Lang) -> CardText {
             let [title, sentence] = texts.map(|text| in_lang(&text));
             CardText { title, sentence }
         }
-        Source::File(_) => {
+        // Only its picture needs the mesh itself.
+        Source::File(_) if mesh(source).is_some() => {
+            CardText { title: source.name().into_owned(), sentence: String::new() }
+        }
+        Source::File(path) => {
             let bytes = read(source).unwrap_or_default();
             let figure = figure_of(source, &bytes).map(|opened| opened.figure).unwrap_or_default();
             let text = figure_bytes(&bytes, crate::limits::MAX_FIGURE_BYTES).unwrap_or_default();
@@ -169,6 +201,8 @@ fn said_by(source: &Source, lang: Lang) -> CardText {
                 Some(title) => format!("{} ({})", in_lang(title), source.name()),
                 None => source.name().into_owned(),
             };
+            let is_lesson = files::is_lesson(path);
+            let title = if is_lesson { format!("{}: {title}", lessons::texts(lang).see_lesson) } else { title };
             let comment = || first_comment(&String::from_utf8_lossy(&text));
             CardText { title, sentence: figure.caption.as_ref().map_or_else(comment, in_lang) }
         }
@@ -182,19 +216,44 @@ fn first_comment(text: &str) -> String {
     comment.collect::<Vec<_>>().join(" ").trim().to_owned()
 }
 
+/// The files of a folder that can be opened, the newest first: figures, pictures that hold one, lessons and meshes.
+/// Also the number of older files that weren't looked into.
+fn files_in(folder: &Path, progress: &Progress) -> Result<(Vec<PathBuf>, usize), FileError> {
+    let mut paths = entries(folder)?;
+    let is_candidate =
+        |path: &PathBuf| files::has_ending(path, &FIGURE_ENDINGS) || files::has_ending(path, MESH_ENDINGS);
+    paths.retain(is_candidate);
+    natural(&mut paths);
+    paths.sort_by_cached_key(|path| std::cmp::Reverse(files::disk::written(path)));
+    let older = paths.split_off(paths.len().min(MOST_FILES)).len();
+    let is_picture = |path: &Path| PictureFormat::of(path).is_some();
+    let holds_figure = |path: &Path| {
+        let bytes = if progress.is_cancelled() { None } else { files::read_figure_file(path).ok() };
+        bytes.is_some_and(|bytes| figure_from(&bytes).is_ok())
+    };
+    paths.retain(|path| !is_picture(path) || holds_figure(path));
+    Ok((paths, older))
+}
+
+fn entries(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+    if files::is_network(folder) { Err(FileError::Network) } else { files::entries(folder) }
+}
+
+/// Sorts in natural order (2 before 10).
+fn natural(paths: &mut [PathBuf]) {
+    paths.sort_by(|a, b| crate::numbers::natural_order(&a.to_string_lossy(), &b.to_string_lossy()));
+}
+
 /// The figure files in a folder, in natural order (2 before 10).
 ///
 /// # Errors
 /// [`FileError`] if the folder can't be read.
 pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
-    if files::is_network(folder) {
-        return Err(FileError::Network);
-    }
-    let mut paths = files::entries(folder)?;
+    let mut paths = entries(folder)?;
     paths.retain(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
     // Lessons are among the lessons.
     paths.retain(|path| !files::is_lesson(path));
-    paths.sort_by(|a, b| crate::numbers::natural_order(&a.to_string_lossy(), &b.to_string_lossy()));
+    natural(&mut paths);
     Ok(paths)
 }
 
@@ -213,7 +272,7 @@ mod tests {
         std::fs::write(&path, shipped.text).expect("a file is written");
         let source = Source::File(path);
         let card = said_by(&source, Lang::En);
-        assert_eq!(card.title, format!("{} (mine)", shipped.lesson.title.en));
+        assert_eq!(card.title, format!("Lesson: {} (mine)", shipped.lesson.title.en));
         assert_eq!(Some(card.sentence), shipped.lesson.sentence.as_ref().map(|text| text.en.clone()));
         let figure = figure_of(&source, shipped.text.as_bytes()).expect("a figure").figure;
         assert!(figure.camera == shipped.lesson.steps[0].figure.camera);
@@ -257,7 +316,7 @@ mod tests {
             let CardOutcome::Listed(_, files) = at_once(work(CardJob::List(folder), &progress)) else {
                 panic!("a list")
             };
-            let sources: Vec<Source> = files.expect("readable").into_iter().map(Source::File).collect();
+            let sources: Vec<Source> = files.expect("readable").0.into_iter().map(Source::File).collect();
             assert_eq!(sources.len(), 2);
             let CardOutcome::Read(told) = at_once(work(CardJob::Read(sources.clone(), Lang::En), &progress)) else {
                 panic!("words")

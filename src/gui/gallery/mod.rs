@@ -34,9 +34,6 @@ impl Part {
     pub const ALL: [Self; 3] = [Self::Examples, Self::Recent, Self::Folder];
 }
 
-/// Number of displayed files of a folder.
-const MOST_FILES: usize = 300;
-
 /// The content of the gallery, and its thumbnails.
 #[derive(Debug)]
 pub struct Gallery {
@@ -55,9 +52,9 @@ pub struct Gallery {
     /// The recent files, and the missing ones of these.
     recent: Vec<PathBuf>,
     gone: HashSet<PathBuf>,
-    /// The folder, and its figure files or the reason why it can't be read.
+    /// The folder, and its files with the number of older ones, or the reason why it can't be read.
     folder: Option<PathBuf>,
-    files: Result<Vec<PathBuf>, String>,
+    files: Result<(Vec<PathBuf>, usize), String>,
     cards: BTreeMap<Source, Card>,
     /// The style of the thumbnails.
     style: (Theme, Lang),
@@ -95,7 +92,7 @@ impl Default for Gallery {
             recent: Vec::new(),
             gone: HashSet::new(),
             folder: None,
-            files: Ok(Vec::new()),
+            files: Ok((Vec::new(), 0)),
             cards: BTreeMap::new(),
             style: (Theme::default(), Lang::default()),
             waiting: Vec::new(),
@@ -135,7 +132,7 @@ impl Gallery {
         self.part = Part::Folder;
         self.chosen[Part::Folder as usize] = None;
         self.wants_focus = true;
-        self.files = Ok(Vec::new());
+        self.files = Ok((Vec::new(), 0));
         self.waiting.push(CardJob::List(folder.clone()));
         self.folder = Some(folder);
     }
@@ -147,16 +144,13 @@ impl Gallery {
 
     /// The figures of the displayed part, and the number of remaining ones.
     fn sources(&self) -> (Vec<Source>, usize) {
-        let files = |paths: &[PathBuf]| paths.iter().take(MOST_FILES).cloned().map(Source::File).collect();
+        let files = |paths: &[PathBuf]| paths.iter().cloned().map(Source::File).collect();
         match self.part {
             Part::Examples => {
                 (camera_lab_files::SHIPPED_FIGURES.map(|figure| Source::Shipped(figure.name)).to_vec(), 0)
             }
             Part::Recent => (files(&self.recent), 0),
-            Part::Folder => {
-                let paths = self.files.as_deref().unwrap_or_default();
-                (files(paths), paths.len().saturating_sub(MOST_FILES))
-            }
+            Part::Folder => self.files.as_ref().map_or((Vec::new(), 0), |(paths, older)| (files(paths), *older)),
         }
     }
 

@@ -12,12 +12,13 @@ pub(in crate::gui) fn words(text: &str, fits: impl Fn(&str) -> bool) -> String {
     ends.map(shorter).filter(|shortened| fits(shortened)).last().unwrap_or_else(|| "…".to_owned())
 }
 
-/// A text, or as many of its parts (between `·`, semicolons and sentences) as fit. Of the first, if need be, only its
-/// first words.
+/// A text, or as many of its parts (between `·`, semicolons and sentences, but not in brackets) as fit. Of the first,
+/// if need be, only its first words.
 pub(in crate::gui) fn parts(text: &str, fits: impl Fn(&str) -> bool) -> String {
     let is_end = |at: &usize| [" · ", "; ", ". "].iter().any(|mark| text[*at..].starts_with(mark));
     let ends = text.char_indices().map(|(at, _)| at).filter(is_end).map(|at| &text[..at]).chain([text]);
-    match ends.filter(|start| fits(start)).last() {
+    let is_open = |start: &str| start.matches('(').count() > start.matches(')').count();
+    match ends.filter(|start| !is_open(start) && fits(start)).last() {
         Some(start) => start.to_owned(),
         None => words(text, fits),
     }
@@ -41,6 +42,8 @@ mod tests {
         assert_eq!(words("palavra", within(3)), "…");
         assert_eq!(parts("Drag: turn · wheel: zoom · V: probe", within(30)), "Drag: turn · wheel: zoom");
         assert_eq!(parts("Drag: turn · wheel: zoom · V: probe", within(9)), "Drag…");
+        assert_eq!(parts("Janela (0,453; 0,102) · 351 px", within(20)), "Janela (0,453;…");
+        assert_eq!(parts("Pixel (7; 3) · Janela (0,4; 0,1)", within(30)), "Pixel (7; 3)");
         assert_eq!(parts("Drag C, PF; elsewhere: turn the view", within(30)), "Drag C, PF");
         assert_eq!(parts("A list of objects now. It loses the texts.", within(30)), "A list of objects now");
     }

@@ -51,8 +51,8 @@ macro_rules! commands {
 }
 
 commands! {
-    New Open Gallery Recent Save SaveAs SaveWithFiles Title Export ExportFamily Handout ExerciseSheet Class CopyLink QrCode Search Quit Undo Redo Aim FitImage Reset
-    CopyNumbers Language Theme ReduceMotion Presentation NextFigure PreviousFigure Pen
+    New Open Gallery Recent Save SaveAs SaveWithFiles Title Export ExportFamily Handout ExerciseSheet StudentPage CoursePackage Class CopyLink QrCode Search Quit Undo Redo Aim FitImage Reset
+    CopyNumbers Language Theme Contrast ReduceMotion Presentation NextFigure PreviousFigure Pen
     Spot Freeze Blank ClearAnnotations ZoomIn ZoomOut ZoomReset ParametersPanel NumbersPanel ViewBack ViewForward
     Section Dimensions Compare KeepCamera SwapSides LinkOrbits Labels Pipeline Numerics Explain Exercises Lessons AddStep StepAgain
     StepText StepQuestion StepNotes WriteLesson LeaveLesson Help About;

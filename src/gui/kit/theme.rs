@@ -5,6 +5,7 @@ use eframe::egui::{
     self, Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke, Style, TextStyle, Visuals,
 };
 
+use crate::appearance::Theme;
 use crate::numerics::health::Level;
 use crate::text::{self, runs};
 
@@ -12,6 +13,9 @@ use crate::text::{self, runs};
 const BOLD_BYTES: &[u8] = font!("DejaVuSans-Bold.ttf");
 /// Code and columns of numbers.
 const MONOSPACED_BYTES: &[u8] = font!("DejaVuSansMono.ttf");
+
+/// The sign of egui's own button that copies a colour (`dist/clipboard.py`).
+const CLIPBOARD: &[u8] = include_bytes!("../../../assets/fonts/Clipboard.ttf");
 
 fn bold_family() -> FontFamily {
     FontFamily::Name("bold".into())
@@ -34,6 +38,8 @@ pub fn install_fonts(ctx: &egui::Context) {
         fonts.font_data.insert(name.to_owned(), std::sync::Arc::new(FontData::from_static(bytes)));
         fonts.families.entry(family).or_default().insert(0, name.to_owned());
     }
+    fonts.font_data.insert("Clipboard".to_owned(), std::sync::Arc::new(FontData::from_static(CLIPBOARD)));
+    fonts.families.entry(FontFamily::Proportional).or_default().push("Clipboard".to_owned());
     for family in [FontFamily::Monospace, bold_family()] {
         fonts.families.entry(family).or_default().push("DejaVu Sans".to_owned());
     }
@@ -181,6 +187,25 @@ struct ThemePalette {
     warning: Color32,
 }
 
+/// The colours of the window in a theme. That of print has the strongest contrast.
+pub(in crate::gui) fn visuals(theme: Theme) -> Visuals {
+    match theme {
+        Theme::Light => light(),
+        Theme::Dark => dark(),
+        Theme::Print => {
+            let mut v = light();
+            (v.panel_fill, v.window_fill) = (Color32::WHITE, Color32::WHITE);
+            (v.override_text_color, v.weak_text_color) = (Some(Color32::BLACK), Some(Color32::BLACK));
+            v.hyperlink_color = Color32::from_rgb(0x00, 0x3a, 0x75);
+            let widgets = &mut v.widgets;
+            for state in [&mut widgets.noninteractive, &mut widgets.inactive] {
+                state.bg_stroke.color = Color32::BLACK;
+            }
+            v
+        }
+    }
+}
+
 fn light() -> Visuals {
     dress(
         Visuals::light(),
@@ -271,5 +296,19 @@ pub(in crate::gui) fn level_color(ui: &egui::Ui, level: Level) -> Color32 {
         Level::Good => ui.visuals().text_color(),
         Level::Fair => ui.visuals().warn_fg_color,
         Level::Poor => ui.visuals().error_fg_color,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_signs_of_egui_s_own_buttons_are_there() {
+        let ctx = egui::Context::default();
+        install_fonts(&ctx);
+        let _ = ctx.run_ui(egui::RawInput::default(), |_| {});
+        let font = FontId::proportional(12.5);
+        assert!(ctx.fonts_mut(|fonts| fonts.has_glyph(&font, '📋')));
     }
 }

@@ -35,6 +35,9 @@ pub struct Learn {
     pub own: Vec<(PathBuf, Arc<Lesson>)>,
     /// The lesson of the user's own to which steps are added.
     pub file: Option<PathBuf>,
+    /// The ticks of the dialog that prints, and those of the last run of the program, with which it begins.
+    pub ticks: Vec<String>,
+    pub(in crate::gui) ticks_before: Vec<String>,
     /// The furthest step reached of each lesson, from 0, by the lesson's identifier.
     pub taken: BTreeMap<String, usize>,
     /// The steps of each lesson whose task was done, from 0, by an answer of the user's own, and not by a way that was

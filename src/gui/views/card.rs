@@ -10,7 +10,7 @@ use crate::figure::{Depth, Explanation};
 use crate::gui::kit::Explained;
 use crate::gui::views::pointer::picking::{PickQuery, PickRequest};
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
-use crate::views::{Hover, Probe, Request, Shot, Size, View, pick};
+use crate::views::{Hover, LabelPlace, Probe, Request, Shot, Size, View, pick};
 use camera_lab_words::why::explain_point;
 use camera_lab_words::window::canvas::CanvasTexts;
 
@@ -107,7 +107,12 @@ impl Canvas {
             self.probe_picker.ask(ctx, pick)
         });
         let (depths, point) = at.map_or((None, None), |at| (at.depths, at.point));
-        let place = self.card.place(ctx, panes, point);
+        let labels = panes.iter().flat_map(|pane| {
+            let of_pane = &self.pictures[pane.picture].labels;
+            of_pane.iter().map(|label| place_of_label(pane, label))
+        });
+        let labels: Vec<Rect> = labels.collect();
+        let place = self.card.place(ctx, panes, point, &labels);
         let (mark, scene) = (texts.lang.mark(), model.scene_cache.scene());
         let vertex = match probe {
             Probe::Point(p) => self.vertex_names.at(ctx, p, scene, &model.desk.shown.figure().scene),
@@ -196,9 +201,9 @@ impl CardPlace {
         self.settles > 0
     }
 
-    /// The new position, in the corner of the pictures farthest from all their marks of the probe and of C. `None` if
-    /// it has its place, and while the point of the probe is unknown, as in a heavy scene.
-    fn place(&mut self, ctx: &Context, panes: &[Pane], point: Option<DVec3>) -> Option<Pos2> {
+    /// The new position, in the corner that covers the fewest labels, and of these the farthest from all marks of the
+    /// probe and of C. `None` if it has its place, and while the point of the probe is unknown, as in a heavy scene.
+    fn place(&mut self, ctx: &Context, panes: &[Pane], point: Option<DVec3>, labels: &[Rect]) -> Option<Pos2> {
         let point = point.filter(|_| self.is_placed_again())?;
         self.settles -= 1;
         ctx.request_repaint();
@@ -209,7 +214,8 @@ impl CardPlace {
         });
         let shown: Vec<Pos2> = shown.collect();
         let size = ctx.memory(|memory| memory.area_rect(id())).map_or(USUAL, |rect| rect.size());
-        Some(farthest_corner(self.room, size, &shown))
+        let rooms: Vec<Rect> = std::iter::once(self.room).chain(panes.iter().map(|pane| pane.rect.rect)).collect();
+        Some(freest_corner(&rooms, size, labels, &shown))
     }
 }
 
@@ -222,19 +228,32 @@ fn place_on_screen(pane: &Pane, p_world: DVec3) -> Option<Pos2> {
     Some(pane.rect.rect_of(x, y, 0.0, 0.0).min)
 }
 
-/// The upper left corner of a card of this size, in the corner of the room farthest from all places. Of equal ones, the
-/// first of: below on the left, below on the right, above on the left, above on the right.
-fn farthest_corner(room: Rect, size: Vec2, places: &[Pos2]) -> Pos2 {
-    let inner = room.shrink(MARGIN);
-    let (left, top) = (inner.left(), inner.top());
-    let (right, bottom) = ((inner.right() - size.x).max(left), (inner.bottom() - size.y).max(top));
-    let corners = [[left, bottom], [right, bottom], [left, top], [right, top]].map(|[x, y]| Pos2::new(x, y));
-    let apart = |corner: Pos2| {
-        let card = Rect::from_min_size(corner, size);
-        places.iter().map(|place| card.distance_to_pos(*place)).fold(f32::INFINITY, f32::min)
+/// The place of a label of a pane on the screen, in points.
+#[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
+fn place_of_label(pane: &Pane, label: &LabelPlace) -> Rect {
+    let [corner, size] = [label.center - label.half, 2.0 * label.half].map(|v| v.to_array().map(|v| v as f32));
+    pane.rect.rect_of(corner[0], corner[1], size[0], size[1])
+}
+
+/// The upper left corner of a card of this size, in a corner of a room: where it covers the fewest labels, and of these
+/// the one farthest from all places. Of equal ones, the first of: below on the left, below on the right, above on the
+/// left, above on the right.
+fn freest_corner(rooms: &[Rect], size: Vec2, labels: &[Rect], places: &[Pos2]) -> Pos2 {
+    let corners = rooms.iter().flat_map(|room| {
+        let inner = room.shrink(MARGIN);
+        let (left, top) = (inner.left(), inner.top());
+        let (right, bottom) = ((inner.right() - size.x).max(left), (inner.bottom() - size.y).max(top));
+        [[left, bottom], [right, bottom], [left, top], [right, top]].map(|[x, y]| Pos2::new(x, y))
+    });
+    let rank = |corner: &Pos2| {
+        let card = Rect::from_min_size(*corner, size);
+        let apart = places.iter().map(|place| card.distance_to_pos(*place)).fold(f32::INFINITY, f32::min);
+        // A card that lies on its own mark is worse than one on a label.
+        let covered = labels.iter().filter(|label| card.intersects(**label)).count();
+        (apart <= 0.0, covered, -apart)
     };
-    let first = corners[0];
-    corners.into_iter().fold(first, |best, corner| if apart(corner) > apart(best) { corner } else { best })
+    let best = corners.min_by(|a, b| rank(a).partial_cmp(&rank(b)).unwrap_or(std::cmp::Ordering::Equal));
+    best.unwrap_or_default()
 }
 
 /// Cells as text, a space in a line, with numbers as programs read them.
@@ -253,10 +272,13 @@ mod tests {
         let room = Rect::from_min_size(pos2(10.0, 20.0), vec2(800.0, 600.0));
         let size = vec2(200.0, 100.0);
         let (left, right, top, bottom) = (18.0, 602.0, 28.0, 512.0);
-        let corner = |places: &[Pos2]| farthest_corner(room, size, places);
+        let corner = |places: &[Pos2]| freest_corner(&[room], size, &[], places);
         assert_eq!(corner(&[]), pos2(left, bottom));
         assert_eq!(corner(&[pos2(100.0, 550.0)]), pos2(right, top));
         assert_eq!(corner(&[pos2(700.0, 100.0)]), pos2(left, bottom));
         assert_eq!(corner(&[pos2(100.0, 550.0), pos2(700.0, 60.0), pos2(120.0, 80.0)]), pos2(right, bottom));
+        let label = Rect::from_center_size(pos2(700.0, 550.0), vec2(40.0, 12.0));
+        let beside = freest_corner(&[room], size, &[label], &[pos2(100.0, 60.0)]);
+        assert_eq!(beside, pos2(left, bottom), "not on the label in the farthest corner");
     }
 }

@@ -399,7 +399,9 @@ impl Canvas {
         let presenting = model.settings.presentation;
         let panels = if presenting { 0 } else { 2 - usize::from(model.settings.panels.narrow) };
         let arrangement = model.layout.arrangement;
-        let arrangement = arrangement.unwrap_or_else(|| automatic(ui.ctx().content_rect().size(), panels, &framed));
+        // Beside a lesson that's presented, the room is low.
+        let whole = if presenting { room.size() } else { ui.ctx().content_rect().size() };
+        let arrangement = arrangement.unwrap_or_else(|| automatic(whole, panels, &framed));
         let (rects, bars) = arrange(room, &framed, arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
             let response = ui.interact(bar.rect, Id::unique(("between pictures", i)), Sense::CLICK | Sense::DRAG);

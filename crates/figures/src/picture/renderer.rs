@@ -107,7 +107,7 @@ impl Renderer {
         let differences = Differences::marked(request, &pictures);
         joined(&mut whole, &sides, &pictures, differences.as_ref());
         let share = if differences.is_some() { self.share_that_differs(&sides).await } else { None };
-        let over = overlay(request, &sides, share)?;
+        let over = overlay(request, &sides, &account.labels, share)?;
         account.labels.extend(LabelPlace::all(&over));
         let over = self.rasterizer.paint(&over)?;
         let mut pixmap = whole.take_pixmap()?;
@@ -260,7 +260,7 @@ impl Renderer {
 }
 
 /// The visible labels of two sides, in the pixels of the whole picture.
-fn labels_of(labels: [Vec<LabelPlace>; 2], sides: &[Side; 2]) -> Vec<LabelPlace> {
+pub(super) fn labels_of(labels: [Vec<LabelPlace>; 2], sides: &[Side; 2]) -> Vec<LabelPlace> {
     let of_side = |(side, labels): (&Side, Vec<LabelPlace>)| {
         let columns = f64::from(side.columns.start)..f64::from(side.columns.end);
         let moved = labels.into_iter().map(|label| label.shifted(f64::from(side.left)));

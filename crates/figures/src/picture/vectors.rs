@@ -9,6 +9,7 @@ use tiny_skia::Pixmap;
 use super::compared::Differences;
 use super::error::PictureError;
 use super::plate::{Plate, Plates};
+use super::renderer::labels_of;
 use super::vector_faces::{Pictures, can_be_written, faces_of, polygon};
 use super::{Composite, Pixels, Renderer};
 use crate::appearance::{DepthFormat, LineStyle, Occlusion, Rgba, TextureReveal, head_corners};
@@ -22,7 +23,7 @@ use crate::pipeline::{Output, OverBudget};
 use crate::progress::{Activity, Progress, at_once};
 use crate::raster::{FADED, HALO, Rasterizer, area_outline, baseline, mark_layers, mark_outline};
 use crate::text::Element;
-use crate::views::{Request, Side, Size, overlay};
+use crate::views::{LabelPlace, Request, Side, Size, overlay};
 
 crate::listed! {
     /// The form of the faces of a page.
@@ -149,6 +150,8 @@ struct FacePainter {
     rasterizer: Rasterizer,
     over_budget: Option<OverBudget>,
     no_areas: Option<NoAreas>,
+    /// Those of the last picture, in its pixels.
+    labels: Vec<LabelPlace>,
 }
 
 impl FacePainter {
@@ -156,9 +159,10 @@ impl FacePainter {
     fn picture(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
         let Some(sides) = request.sides() else { return self.one(request) };
         let differences = self.differences(request, &sides)?;
-        let mut items = Vec::new();
-        for side in &sides {
+        let (mut items, mut labels) = (Vec::new(), [Vec::new(), Vec::new()]);
+        for (side, labels) in sides.iter().zip(&mut labels) {
             let mut inner = self.one(&side.request)?;
+            *labels = std::mem::take(&mut self.labels);
             if let Some(differences) = &differences {
                 let size = [side.request.size.width, side.request.size.height].map(unit);
                 let pixels = differences.marks(side).ok_or(PictureError::TooLarge)?;
@@ -170,7 +174,7 @@ impl FacePainter {
             items.push(Item::group([left, 0.0], clip, inner));
         }
         let share = differences.and_then(|_| at_once(self.renderer.share_that_differs(&sides)));
-        let over = overlay(request, &sides, share).ok_or(PictureError::TooLarge)?;
+        let over = overlay(request, &sides, &labels_of(labels, &sides), share).ok_or(PictureError::TooLarge)?;
         items.extend(over_faces(&over)?);
         Ok(items)
     }
@@ -191,6 +195,7 @@ impl FacePainter {
     fn one(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
         let Plates { plates, over_budget } = self.renderer.plates(request).ok_or(PictureError::TooLarge)?;
         self.over_budget = self.over_budget.take().or(over_budget);
+        self.labels = plates.iter().flat_map(|plate| LabelPlace::all(&plate.drawing)).collect();
         let finer = if shows_pixels(request) { 1 } else { self.finer };
         let mut others = OtherVersions { request, finer, sorted: None, larger: None };
         let mut items = Vec::new();

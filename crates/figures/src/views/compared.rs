@@ -2,12 +2,13 @@
 
 use glam::DVec2;
 
-use super::{Compared, Labels, Palette, Probe, Request, Shot, Size};
+use super::{Compared, LabelPlace, Labels, Palette, Probe, Request, Shot, Size};
 use crate::appearance::{HiddenLines, LineStyle, Rgba};
 use crate::drawing::{Anchor, Area, Drawing, Label, StrokeSet, single};
 use crate::sanitize;
 use crate::views::reveal::probe::projector;
 use crate::views::words::label_layout::Author;
+use crate::views::words::label_obstacles::Box2;
 use crate::views::words::values::{done, said};
 use crate::views::world::gizmos::SMALL_TYPE;
 
@@ -111,8 +112,14 @@ fn half(size: Size) -> Size {
     Size { width: size.width.saturating_sub(gap) / 2, ..size }
 }
 
-/// The line between the sides, a heading on each, and the number of differing pixels, on a clear background.
-pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>) -> Option<Drawing> {
+/// The line between the sides, a heading on each, and the number of differing pixels, on a clear background. `labels`
+/// are those of the sides, which a heading doesn't cover as long as there's another corner.
+pub fn overlay(
+    request: &Request,
+    [own, other]: &[Side; 2],
+    labels: &[LabelPlace],
+    differ: Option<f64>,
+) -> Option<Drawing> {
     let compared = request.shot.compared.as_ref()?;
     let Size { width, height, scale } = request.size;
     let palette = Palette::of(request.shot.look.style.theme);
@@ -134,23 +141,28 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
     }
     let em = (SMALL_TYPE * scale).max(request.least_letters());
     let author = Author::of(request, palette);
-    let mut plate = |name: &str, text: String, (x, y, anchor): (f32, f32, Anchor), room: [f32; 2]| {
-        let label =
-            Label { name: name.to_owned(), anchor, ..Label::new([x, y, 1.0], text, em, [palette.ink, palette.paper]) };
-        plate(&mut drawing, label, room, (&author, request));
+    let label = |name: &str, text: &str, (x, anchor): (f32, Anchor), y: f32| {
+        let label = Label::new([x, y, 1.0], text.to_owned(), em, [palette.ink, palette.paper]);
+        Label { name: name.to_owned(), anchor, ..label }
     };
-    for (side, room, anchor) in [(0, [0.0, left], Anchor::Right), (1, [right, wide], Anchor::Left)] {
+    let (top, bottom) = (1.2 * em, high - 1.2 * em);
+    for (side, room) in [[0.0, left], [right, wide]].into_iter().enumerate() {
         let text = heading(compared, side, request.labels);
-        let at = match (beside, anchor) {
-            (true, _) => ((room[0] + room[1]) / 2.0, Anchor::Center),
-            (false, Anchor::Right) => (room[1] - em, anchor),
-            (false, _) => (room[0] + em, anchor),
-        };
-        plate(SIDES[side], text, (at.0, 1.2 * em, at.1), room);
+        let mut across = vec![(room[0] + em, Anchor::Left), (room[1] - em, Anchor::Right)];
+        if beside {
+            across.insert(0, ((room[0] + room[1]) / 2.0, Anchor::Center));
+        } else if side == 0 {
+            // Near the line.
+            across.reverse();
+        }
+        let places = [top, bottom].into_iter().flat_map(|y| across.iter().map(move |x| (*x, y)));
+        let places = places.map(|(x, y)| label(SIDES[side], &text, x, y)).collect();
+        plate(&mut drawing, places, labels, room, (&author, request));
     }
     if let Some(share) = differ {
         let text = format!("{}: {} %", request.labels.differ, request.labels.mark.number(100.0 * share, 3));
-        plate("differ", text, (wide - em, high - 1.2 * em, Anchor::Right), [0.0, wide]);
+        let place = label("differ", &text, (wide - em, Anchor::Right), bottom);
+        plate(&mut drawing, vec![place], labels, [0.0, wide], (&author, request));
     }
     Some(drawing)
 }
@@ -160,11 +172,25 @@ pub(super) fn on_clear_ground([width, height]: [u32; 2], ground: Rgba) -> Drawin
     Drawing { painted_in_order: true, ..Drawing::new(width, height, ground.with_alpha(0)) }
 }
 
-/// A text on a plate with its author's changes, if its range of columns has space for it. At a place that the author
-/// chose, it needs no space.
-fn plate(drawing: &mut Drawing, label: Label, room: [f32; 2], (author, request): (&Author<'_>, &Request)) {
+/// A text on a plate with its author's changes, if its range of columns has space for it: at the first of its places
+/// that covers no label, or else the least of them. At a place that the author chose, it needs no space.
+fn plate(
+    drawing: &mut Drawing,
+    places: Vec<Label>,
+    labels: &[LabelPlace],
+    room: [f32; 2],
+    (author, request): (&Author<'_>, &Request),
+) {
+    let page = Author::page(request, DVec2::ZERO);
+    let finished = places.into_iter().filter_map(|label| author.finished(label, &page));
+    let covered = |place: &Box2| {
+        // With the border of the plate.
+        let own = |label: &LabelPlace| Box2 { center: label.center, half: label.half + DVec2::splat(0.5 * label.em) };
+        labels.iter().map(|label| place.overlap(&own(label))).sum::<f64>()
+    };
+    let best = finished.min_by(|(_, a), (_, b)| covered(a).total_cmp(&covered(b)));
+    let Some((label, place)) = best else { return };
     let is_moved = author.labels.change(&label.name, author.view).by.is_some();
-    let Some((label, place)) = author.finished(label, &Author::page(request, DVec2::ZERO)) else { return };
     let [middle, y, half_width, half_height] = [place.center.x, place.center.y, place.half.x, place.half.y].map(single);
     let pad = 0.35 * label.size;
     let corner = [middle - half_width - pad, y - half_height - pad];

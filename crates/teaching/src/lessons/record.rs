@@ -107,6 +107,19 @@ mod tests {
     }
 
     #[test]
+    fn a_kept_operation_ends_with_the_camera_that_it_led_to_unless_it_is_written_again() {
+        let figure = read::parse("[show]\noperation = \"azimuth=15\"\n").unwrap();
+        let (text, _) = with_step("", "mine", &draft(), &figure).unwrap();
+        let step = "\n[[step]]\ntitle = \"Next\"\ntext = \"\"\n[step.camera]\nnear = 0.5\n";
+        let next = parse(&format!("{text}{step}")).unwrap();
+        assert!(next.steps[1].figure.show.operations.is_empty());
+        let mut nearer = figure.clone();
+        nearer.camera.near = 0.5;
+        let (_, lesson) = with_step(&text, "mine", &draft(), &nearer).unwrap();
+        assert_eq!(lesson.steps[1].figure.show.operations, figure.show.operations);
+    }
+
+    #[test]
     fn a_text_that_is_no_lesson_is_refused_and_none_is_written() {
         assert!(with_step("[camera]\nnear = 1\n", "x", &draft(), &Figure::default()).is_err());
     }

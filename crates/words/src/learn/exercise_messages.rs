@@ -65,12 +65,6 @@ texts_with_values! {
     /// `--pass` that isn't a percentage.
     pass(lang, text: &str): (text = escaped(text));
 
-    /// `--page` that isn't the page of this version.
-    not_this_page(lang, path: &str, version: &str);
-
-    /// A package longer than a zip can be.
-    package_too_large(lang);
-
     /// The place of a point in the image, in whole pixels.
     lands(lang, place: [f64; 2]): (pixel = lang.mark().tuple(&place.map(f64::floor), 5));
 }

@@ -132,9 +132,6 @@ texts_with_values! {
     /// A handout has another number of steps on a page.
     per_page(lang, found: &str): (found = escaped(found));
 
-    /// A lesson for a course platform that names a file.
-    own_file(lang, name: &str);
-
     /// Pictures of a lesson for a file that can hold only one.
     output_name(lang, path: &str);
 }

@@ -9,6 +9,7 @@ use crate::export::png::{Damage, PngError};
 use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
 use crate::scene::ReadProblem;
 use crate::{Grammar, sanitize};
+use camera_lab_files::hand_out::PAGE_NAME;
 use camera_lab_files::share::{self, Held, ShareError};
 use camera_lab_files::{FileError, LeftOut, size_words};
 
@@ -53,6 +54,13 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
         }
         (Grammar::Portuguese, FileError::Mesh) => format!(
             "{name} é uma malha, não uma figura. Na janela, adicione-a com Cena ▸ + Adicionar ▸ arquivo de malha…; num arquivo de figura, escreva [[scene.objects]] com shape = \"mesh\" e path"
+        ),
+        (Grammar::Portuguese, FileError::OtherPage) => format!(
+            "{name} não é a página desta versão; permitido: {PAGE_NAME} do Camera Lab {}",
+            env!("CARGO_PKG_VERSION")
+        ),
+        (Grammar::Portuguese, FileError::OwnFile(own)) => format!(
+            "{name} não pode conter {own}, um arquivo seu; permitido: cenas nomeadas, primitivas e malhas do programa (camera-lab:…)"
         ),
         (Grammar::Portuguese, FileError::NotRegular) => after_name(&ReadProblem::NotRegular),
         (Grammar::Portuguese, FileError::Network) => after_name(&ReadProblem::Network),

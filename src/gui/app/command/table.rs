@@ -6,7 +6,8 @@ use super::{CommandRow, InBrowser, Menu};
 use crate::appearance;
 use crate::camera::Framing;
 use crate::gui::app::file_flow;
-use crate::gui::app::file_flow::questions::{Dialog, FileFlow, Purpose, TitleForm};
+use crate::gui::app::file_flow::hand_out;
+use crate::gui::app::file_flow::questions::{Dialog, FileFlow, HandOut, Purpose, TitleForm};
 use crate::gui::app::search::Search;
 use crate::gui::app::state::State;
 use crate::gui::export::family_choice::Subject;
@@ -101,20 +102,10 @@ pub const MENUS: &[Menu] = &[
                     s.file_flow.show(Dialog::Title(TitleForm::of(&s.model, None)));
                 }),
             ],
-            &[
-                row!(Export, ctrl(Key::E), export, export_hint, |s, _| {
-                    s.family.choose(Subject::Nothing);
-                    show_export(s);
-                }),
-                row!(Handout, ctrl(Key::P), handouts::handout, handout_hint, |s, _| show_handout(s, true))
-                    .browsers_keys(),
-                row!(ExerciseSheet, alt(Key::K), handouts::sheet, sheet_hint, |s, _| show_handout(s, false)),
-                row!(Class, alt(Key::U), class::class, class_hint, |s, ctx| {
-                    file_flow::ask(ctx, s, Purpose::For(camera_lab_desk::FileFor::Class));
-                })
-                .not_in_browser(),
-                row!(CopyLink, ctrl(Key::K), sharing::copy_link, copy_link_hint, |s, _| s.file_flow.show(Dialog::Link)),
-            ],
+            &[row!(Export, ctrl(Key::E), export, export_hint, |s, _| {
+                s.family.choose(Subject::Nothing);
+                show_export(s);
+            })],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, Intent::Quit))
                 .not_in_browser()],
         ],
@@ -239,6 +230,8 @@ pub const MENUS: &[Menu] = &[
                 row!(Theme, ctrl(Key::T), theme, theme_hint, |s, _| toggle_theme(&mut s.model.settings.theme))
                     .on(|s| s.model.settings.theme == appearance::Theme::Dark)
                     .browsers_keys(),
+                row!(Contrast, alt(Key::H), contrast, contrast_hint, |s, _| toggle_contrast(&mut s.model.settings))
+                    .on(|s| s.model.settings.theme == appearance::Theme::Print),
                 row!(ReduceMotion, alt(Key::M), reduce_motion, reduce_motion_hint, switch model.settings.reduce_motion),
             ],
             &[
@@ -319,6 +312,34 @@ pub const MENUS: &[Menu] = &[
                 .annotations
                 .clear())
             .enabled(|s| s.annotations.any())],
+        ],
+    },
+    Menu {
+        title: |t| handouts::texts(t.lang).hand_out,
+        in_bar: true,
+        groups: &[
+            &[
+                row!(Handout, ctrl(Key::P), handouts::handout, handout_hint, |s, _| show_handout(s, true))
+                    .browsers_keys(),
+                row!(ExerciseSheet, alt(Key::K), handouts::sheet, sheet_hint, |s, _| show_handout(s, false)),
+            ],
+            &[
+                row!(StudentPage, ctrl_shift(Key::H), handouts::student_page, student_page_hint, |s, ctx| {
+                    hand_out::begin(ctx, s, HandOut::Page);
+                })
+                .not_in_browser(),
+                row!(CoursePackage, ctrl_shift(Key::M), handouts::course, course_hint, |s, ctx| {
+                    hand_out::begin(ctx, s, HandOut::Course);
+                })
+                .enabled(|s| s.learn.lesson.is_some())
+                .disabled_because(|t| handouts::texts(t.lang).no_lesson)
+                .not_in_browser(),
+                row!(CopyLink, ctrl(Key::K), sharing::copy_link, copy_link_hint, |s, _| s.file_flow.show(Dialog::Link)),
+            ],
+            &[row!(Class, alt(Key::U), class::class, class_hint, |s, ctx| {
+                file_flow::ask(ctx, s, Purpose::For(camera_lab_desk::FileFor::Class));
+            })
+            .not_in_browser()],
         ],
     },
     Menu {
@@ -464,7 +485,7 @@ fn save(state: &mut State, ctx: &Context) {
 
 /// Opens the list of lessons, including those of the figures' folder.
 fn show_lessons(state: &mut State) {
-    state.learn.look_for_lessons(&state.model, state.gallery.folder());
+    state.learn.look_for_lessons(&state.model, state.gallery.folder(), &state.recent.files);
     state.file_flow.show(Dialog::Lessons);
 }
 
@@ -475,8 +496,8 @@ fn show_code(file_flow: &mut FileFlow, has_address: bool) {
 }
 
 fn show_handout(state: &mut State, is_lesson: bool) {
-    state.learn.look_for_lessons(&state.model, state.gallery.folder());
-    let form = HandoutForm::of(&state.learn, state.model.settings.lang, is_lesson);
+    state.learn.look_for_lessons(&state.model, state.gallery.folder(), &state.recent.files);
+    let form = HandoutForm::of(&state.learn, state.model.settings.lang, is_lesson, state.sharing.address());
     state.file_flow.show(Dialog::Handout(form));
 }
 
@@ -539,6 +560,13 @@ fn toggle_explain(model: &mut Model) {
 
 fn toggle_theme(theme: &mut appearance::Theme) {
     *theme = if *theme == appearance::Theme::Dark { appearance::Theme::Light } else { appearance::Theme::Dark };
+}
+
+/// Black on white, and back to the theme before.
+fn toggle_contrast(settings: &mut Settings) {
+    let is_on = settings.theme == appearance::Theme::Print;
+    let next = if is_on { settings.theme_before } else { appearance::Theme::Print };
+    settings.theme_before = std::mem::replace(&mut settings.theme, next);
 }
 
 fn zoom_by(zoom: &mut f32, more: f32) {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::export::format::{FIGURE_ENDINGS, PictureFormat};
-use crate::gui::app::file_flow::questions::{Purpose, TEXTURE_ENDINGS};
+use crate::gui::app::file_flow::questions::{HandOut, Purpose, TEXTURE_ENDINGS};
 use crate::gui::app::state::State;
 use crate::gui::platform::native::{FileQuestion, Wanted};
 use crate::scene::import::MESH_ENDINGS;
@@ -43,7 +43,7 @@ impl FileKind {
         let figure = named.or_else(|| state.model.desk.shown.name()).unwrap_or_else(|| t.untitled_file.to_owned());
         let figure = PathBuf::from(figure);
         let stem = figure.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let scene = scenes::texts(lang);
+        let (scene, hand) = (scenes::texts(lang), handouts::texts(lang));
         let format = |name: &str, format: PictureFormat| (format!("{name} {}", format.name()), format.endings());
         let formats = |name: &str, first: PictureFormat| {
             let mut formats = PictureFormat::ALL;
@@ -103,6 +103,17 @@ impl FileKind {
                 let tables = tables.into_iter().filter(|(table, ..)| !table.is_empty());
                 filters.extend(tables.map(|(_, name, endings)| (name.to_owned(), endings)));
                 new_file(t.export_chart_title, filters, format!("{stem}-{}.svg", t.chart_file))
+            }
+            Purpose::Page(_) => file(hand.page_title, t.open_action, hand.page_filter, &["html"][..]),
+            Purpose::HandOut(what, _) => {
+                let of_lesson = state.learn.lesson.as_ref();
+                let title = of_lesson.and_then(|playing| name_of_title(told(lang, &playing.lesson.title)));
+                let (filter, ending) = match what {
+                    HandOut::Page => (hand.page_filter, &["html"][..]),
+                    HandOut::Course => (hand.package, &["zip"][..]),
+                };
+                let name = format!("{}.{}", title.unwrap_or(stem), ending[0]);
+                new_file(hand.write_title, vec![(filter.to_owned(), ending)], name)
             }
             Purpose::Handout(form) => {
                 let t = handouts::texts(lang);

@@ -21,6 +21,8 @@ pub struct Sharing {
     pub own_address: Option<String>,
     /// The address of a page with this program, for links, as entered by the user.
     pub page_address: String,
+    /// The page in one file, where the user found it last. Empty if there is none beside the program.
+    pub page_file: std::path::PathBuf,
     /// The shown link, by the address and whether it holds a whole lesson. Computed when the dialog is opened, since
     /// nothing behind it changes.
     link: Memo<(String, bool), Result<String, ShareError>>,

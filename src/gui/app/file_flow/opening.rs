@@ -1,13 +1,9 @@
 //! Opens files: figures, lessons, and the parts of a scene.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use glam::DVec3;
-
-use crate::camera::{Camera, CameraError, Parameters};
-use crate::figure::{Figure, Photograph, update};
+use crate::figure::Photograph;
 use crate::gui::app::file_flow::begin;
 use crate::gui::app::file_flow::questions::Dialog;
 use crate::gui::app::file_flow::reading::Take;
@@ -16,12 +12,10 @@ use crate::gui::inspector::state::compare::{self, CompareForm};
 use crate::gui::learn::Learn;
 use crate::gui::learn::exercises::state::Chosen;
 use crate::lessons::{Lesson, OpenLesson};
-use crate::progress::Progress;
 use crate::scene::import::MESH_ENDINGS;
-use crate::scene::{ObjectSpec, Preset, Shape, TextureSource};
-use crate::views::scene_of;
+use crate::scene::{Shape, TextureSource};
 use camera_lab_desk::{Document, Intent, MeshFor, Message, Model, Recent, Source};
-use camera_lab_files::{self as files, Carried, FigureFiles, FileAccess, FileError, Opened, SourceFile, share};
+use camera_lab_files::{self as files, FileError, Opened, share};
 
 /// Puts a mesh file into the scene.
 pub(in crate::gui) fn mesh(model: &mut Model, which: MeshFor, path: &Path) {
@@ -64,10 +58,11 @@ pub(super) fn read(path: PathBuf) -> Take {
         let read = files::read_lesson(&path).map(|(lesson, _)| Arc::new(lesson));
         Box::new(|State { model, learn, recent, .. }, path| lesson(model, learn, recent, path, read))
     } else if files::has_ending(&path, MESH_ENDINGS) {
-        let document = scene_of_mesh(&path);
-        Box::new(|State { model, learn, .. }, path| match document {
+        let document = Document::of_mesh(&path);
+        Box::new(|State { model, learn, recent, .. }, path| match document {
             Ok(document) => {
                 learn.take_over(model, document);
+                recent.add(&files::whole(&path));
                 model.say(Message::Opened(path));
             }
             Err(error) => model.say(Message::Impossible(path, error)),
@@ -84,29 +79,6 @@ pub(super) fn read(path: PathBuf) -> Take {
             show(state, path);
         }
     })
-}
-
-/// A new figure in the folder of a mesh, whose scene is the mesh, seen whole from a corner. If the mesh can't be read,
-/// the figure names it all the same, and the window says why it's missing.
-fn scene_of_mesh(path: &Path) -> Result<Document, CameraError> {
-    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let named = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let mut figure = Figure::of_preset(Preset::Empty);
-    figure.scene.objects.push(ObjectSpec { segments: 32, ..ObjectSpec::new(name, Shape::Mesh { path: named }) });
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut files = FigureFiles::new(folder, FileAccess::of(path, true, false));
-    let scene = scene_of(&figure, &mut |wanted| files.read(wanted), &Progress::default());
-    if let Some((middle, points)) = scene.ok().and_then(|scene| scene.extent_of(&figure.scene, &BTreeSet::new())) {
-        let size = points.iter().map(|p| p.distance(middle)).fold(f64::MIN_POSITIVE, f64::max);
-        let position = middle + DVec3::new(3.0, 2.5, 4.0) * size;
-        let far = Parameters { position, focal_point: middle, near: size, far: 12.0 * size, ..figure.camera };
-        figure.camera = *Camera::new(&far)?.fitted_to(&points)?.parameters();
-    }
-    let text = update("", &figure);
-    Document::new(
-        figure,
-        Some(SourceFile { path: path.to_owned(), text, is_picture: true, carried: Carried::default() }),
-    )
 }
 
 /// Reads the figure to compare with. The comparison is shown then.

@@ -42,12 +42,30 @@ pub enum Purpose {
     LessonText,
     /// To write a lesson or exercises as pages to print.
     Handout(HandoutForm),
+    /// The page in one file, for a file to hand out.
+    Page(HandOut),
+    /// To write a file to hand out, made of the page in this file.
+    HandOut(HandOut, PathBuf),
+}
+
+/// A file to hand out, with the open lesson or figure in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HandOut {
+    /// The page for students.
+    Page,
+    /// The package for a course platform.
+    Course,
 }
 
 impl Purpose {
     /// True if the state on the screen becomes a step of a lesson.
     pub(in crate::gui) const fn adds_step(&self) -> bool {
         matches!(self, Self::Step | Self::NewLesson)
+    }
+
+    /// True if the file is a lesson of the user's own.
+    pub(in crate::gui) const fn writes_lesson(&self) -> bool {
+        self.adds_step() || matches!(self, Self::OwnLesson | Self::LessonText)
     }
 
     /// True if the file is for the displayed figure.

@@ -72,7 +72,7 @@ impl ToSave {
             return Ok(Saved::ReadOnly);
         }
         let (figure, renamed) = match with_files {
-            None => files::for_folder(figure, folder.as_deref(), path.parent()),
+            None => files::for_figure_file(figure, folder.as_deref(), path.parent()),
             Some(files) => {
                 let (figure, renamed, beside) = files::beside_figure(figure, files.clone(), path);
                 for (path, bytes) in beside {

@@ -24,6 +24,7 @@ use crate::gui::app::state::State;
 use crate::gui::export::family_choice::{FamilyChoice, Subject, Varied};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::picture::Faces;
+use crate::views::Views;
 use camera_lab_desk::{Side, WindowPlace};
 
 /// The conventions for the signs of rotations, by the names in `--convention`.
@@ -171,20 +172,43 @@ const KEYS: &[Key] = &[
         name: "gallery_folder",
         of: |state| state.gallery.folder().and_then(Path::to_str).unwrap_or_default().into(),
         apply: |state, value| {
-            if let Some(folder) = value.as_str().map(PathBuf::from).filter(|folder| folder.is_absolute()) {
-                state.gallery.remember(folder);
-            }
+            file(value).into_iter().for_each(|folder| state.gallery.remember(folder));
         },
     },
     // Empty: not known.
     key!("page_address", [sharing.page_address], |own| own.as_str(), text),
+    // Empty: not needed yet.
+    key!("page_file", [sharing.page_file], |own| own.to_str().unwrap_or_default(), file),
     // Empty: none.
     Key {
         name: "exercise_folder",
         of: |state| state.learn.exercises.own.as_ref().and_then(|own| own.folder.to_str()).unwrap_or_default().into(),
         apply: |state, value| {
-            let folder = value.as_str().map(PathBuf::from).filter(|folder| folder.is_absolute());
-            state.learn.exercises.look_into(folder);
+            state.learn.exercises.look_into(file(value));
+        },
+    },
+    // The exported views, and the displayed ones for which they were chosen.
+    Key {
+        name: "export_views",
+        of: |state| {
+            let views = std::iter::once(state.export.what).chain(state.exported_of);
+            views.map(Views::name).collect()
+        },
+        apply: |state, value| {
+            let names = value.as_array().into_iter().flatten().filter_map(Value::as_str);
+            let mut views = names.map(|name| Views::CHOICES.into_iter().find(|views| views.name() == name));
+            put(&mut state.export.what, views.next().flatten());
+            state.exported_of = views.next().flatten();
+        },
+    },
+    // The ticks of the dialog that prints, with its exercises.
+    Key {
+        name: "handout",
+        of: |state| state.learn.ticks.iter().map(String::as_str).collect(),
+        apply: |state, value| {
+            let ticks = value.as_array().into_iter().flatten().filter_map(Value::as_str);
+            state.learn.ticks = ticks.map(str::to_owned).collect();
+            state.learn.ticks_before.clone_from(&state.learn.ticks);
         },
     },
     key!("export_theme", one of THEMES, export.theme),
@@ -279,6 +303,10 @@ fn ndc(value: &Value) -> Option<Ndc> {
 
 fn text(value: &Value) -> Option<String> {
     value.as_str().map(str::to_owned)
+}
+
+fn file(value: &Value) -> Option<PathBuf> {
+    value.as_str().map(PathBuf::from).filter(|path| path.is_absolute())
 }
 
 /// A whole number in a range.
@@ -455,6 +483,10 @@ mod tests {
         changed.model.settings.conventions =
             Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
         changed.gallery.remember(PathBuf::from("/lectures"));
+        changed.sharing.page_file = PathBuf::from("/lectures/camera-lab.html");
+        changed.learn.ticks = ["plan", "basis"].map(str::to_owned).to_vec();
+        changed.export.what = Views::Without(crate::views::View::Image);
+        changed.exported_of = Some(Views::All);
         changed.sharing.page_address = "https://example.org/lab/".to_owned();
         changed.learn.exercises.look_into(Some(PathBuf::from("/exercises")));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };

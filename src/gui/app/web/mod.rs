@@ -165,12 +165,16 @@ impl Page {
         }
         let lang = window.navigator().language().map_or(Lang::En, |locale| Lang::of_locale(&locale));
         let link = linked();
-        let (figure, file, fault) = match link.as_deref().map(read_link) {
+        // A lesson is played in the first frame.
+        let (lesson, figure) = link
+            .as_deref()
+            .map_or((None, None), |link| if files::is_lesson(link) { (Some(link), None) } else { (None, Some(link)) });
+        let (figure, file, fault) = match figure.map(read_link) {
             Some(Ok((figure, file))) => (figure, Some(file), None),
             Some(Err(error)) => (fresh(), None, Some(error)),
             None => (fresh(), None, None),
         };
-        let restore = file.is_none();
+        let restore = file.is_none() && lesson.is_none();
         let mut state = State::new(Start { figure, file, lang, allow_files: false, lesson: None, later: None })?;
         state.sharing.own_address = own_address(&location);
         let width = window.inner_width().ok().and_then(|width| width.as_f64());
@@ -189,6 +193,7 @@ impl Page {
             app.keep_preferences(ctx, Path::new(KEPT), asked);
             app.keep_session(Path::new(KEPT), restore);
         }
+        app.state.file_flow.given.extend(lesson.map(Path::to_owned));
         if let Some(open) = asked.open_lesson() {
             // If the user left changes here, the link replaces the figure only after a question.
             file_flow::begin(ctx, &mut app.state, camera_lab_desk::Intent::Lesson(open));

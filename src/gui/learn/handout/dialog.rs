@@ -101,7 +101,6 @@ fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut Han
             lessons(ui, t, model, learn, open);
         }
         None => {
-            (options.plan, options.columns) = (false, 1);
             ui.horizontal(|ui| {
                 let shown = window::texts(model.settings.lang);
                 let field = |ui: &mut Ui, name, hint, range: std::ops::RangeInclusive<u32>, seed: &mut u32| {

@@ -19,28 +19,53 @@ pub struct HandoutForm {
     pub seeds: [u32; 2],
     /// Language, columns, answers and plan.
     pub options: HandoutOptions,
+    /// The address of the course's page. Empty if it isn't known.
+    pub address: String,
     /// The displayed page, from 0.
     pub(in crate::gui) page: usize,
 }
 
 impl HandoutForm {
-    /// The lesson being played, or the first one, or else exercises, beginning with the open one.
-    pub(in crate::gui) fn of(learn: &Learn, lang: camera_lab_words::Lang, is_lesson: bool) -> Self {
+    /// The lesson being played, or the first one, or else exercises: those of the last run, or the open one. The ticks
+    /// are those of the last run.
+    pub(in crate::gui) fn of(learn: &Learn, lang: camera_lab_words::Lang, is_lesson: bool, address: String) -> Self {
+        let has = |word: &str| learn.ticks_before.iter().any(|tick| tick == word);
         let open = learn.exercises.open.as_ref();
         let open = open.filter(|open| learn.exercises.entries().any(|entry| entry.id == open.id));
-        let options = HandoutOptions { lang, columns: 1, answers: Solutions::None, plan: false, late: true };
+        let options = HandoutOptions {
+            lang,
+            columns: if has("small") { 2 } else { 1 },
+            answers: if has("answers") { Solutions::AtEnd } else { Solutions::None },
+            plan: has("plan"),
+            late: !has("early"),
+        };
+        let known = |id: &&String| learn.exercises.entries().any(|entry| entry.id == **id);
+        let mut chosen: Vec<String> = learn.ticks_before.iter().filter(known).cloned().collect();
         // One that has the numbers of the sheet.
         let first = crate::exercises::entries().find(|entry| entry.is_family).map(|entry| entry.id.to_string());
+        if chosen.is_empty() {
+            chosen.extend(open.map(|open| open.id.clone()).or(first));
+        }
         Self {
             lesson: is_lesson.then(|| played(learn)).flatten(),
-            exercises: open.map(|open| open.id.clone()).or(first).into_iter().collect(),
+            exercises: chosen,
             seeds: [open
                 .and_then(|open| u32::try_from(open.seed).ok())
                 .filter(|seed| *seed <= MAX_SEED)
                 .unwrap_or_default(); 2],
             options,
+            address,
             page: 0,
         }
+    }
+
+    /// Its ticks for the next run of the program: the words of those that differ from a new dialog's, and the
+    /// exercises.
+    pub(in crate::gui) fn ticks(&self) -> Vec<String> {
+        let HandoutOptions { answers, late, plan, columns, .. } = self.options;
+        let words = [("answers", answers != Solutions::None), ("early", !late), ("plan", plan), ("small", columns > 1)];
+        let words = words.into_iter().filter(|(_, on)| *on).map(|(word, _)| word.to_owned());
+        words.chain(self.exercises.iter().cloned()).collect()
     }
 
     /// Everything that the handout depends on.
@@ -57,7 +82,11 @@ impl HandoutForm {
                 Content::Exercises((first..=last).map(version).collect())
             }
         };
-        Job { content, options: self.options }
+        let mut options = self.options;
+        if self.lesson.is_none() {
+            (options.plan, options.columns) = (false, 1);
+        }
+        Job { content, options, address: self.address.clone() }
     }
 
     /// True if there's something to print.

@@ -3,10 +3,13 @@
 
 use eframe::egui::{Button, Id, RichText, Ui};
 
+use super::quantity_menu::name_with_numbers;
 use super::writing::{FIELDS_OF_STEP, Fields, Writing};
+use crate::figure::Figure;
 use crate::gui::kit::{Explained, TextField, number_field};
 use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::writing::StepChange;
+use crate::inspect::Report;
 use crate::lessons::TaskKind;
 use crate::limits::{MAX_TITLE, MAX_TYPED};
 use camera_lab_desk::{Action, Intent, Model};
@@ -23,6 +26,8 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn
     let Some(writing) = &playing.writing else { return };
     let (step, count) = (playing.step, playing.lesson.steps.len());
     let (is_ahead, has_no_task) = (writing.is_ahead(), writing.typed.task.kind == TaskKind::None);
+    let is_unfinished = writing.shows == Fields::Task && writing.typed.task.is_unfinished();
+    let fault = writing.fault.as_ref().map(|fault| messages::without_line(t.lang, fault));
     let task = lesson_tasks::texts(t.lang);
     let (mut change, mut asks) = (None, false);
     ui.horizontal_wrapped(|ui| {
@@ -47,6 +52,20 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn
         }
         ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
     });
+    let mut forgets = false;
+    if let Some(fault) = fault {
+        // Above the fields, which scroll.
+        ui.horizontal_wrapped(|ui| {
+            forgets = ui.button(t.forget_typed).explained(t.forget_typed_hint).clicked();
+            let text = if is_unfinished { t.unfinished.to_owned() } else { format!("{}: {fault}", t.not_written) };
+            let visuals = ui.visuals();
+            let color = if is_unfinished { visuals.weak_text_color() } else { visuals.error_fg_color };
+            ui.label(RichText::new(text).color(color));
+        });
+    }
+    if forgets {
+        return learn.forget_text();
+    }
     if let Some(change) = change {
         learn.change_steps(model, change);
     }
@@ -84,36 +103,25 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Lear
         }
     });
     let before = writing.typed.clone();
+    let report = figure.as_ref().and_then(|figure| crate::lessons::numbers_of(figure).ok());
+    let subject = figure.as_deref().zip(report.as_ref());
     let is_left = if writing.shows == Fields::Task {
-        let report = figure.as_ref().and_then(|figure| crate::lessons::numbers_of(figure).ok());
-        let subject = figure.as_deref().zip(report.as_ref());
         super::task_fields::show(ui, &mut writing.typed.task, (lang, writing.lang), subject)
     } else {
-        words(ui, t, writing)
+        words(ui, t, writing, subject)
     };
     let is_typed = writing.typed != before;
-    let waits = writing.is_ahead() && now - writing.typed_at > PAUSE && writing.fault.is_none();
-    if let Some(fault) = &writing.fault {
-        let is_unfinished = writing.shows == Fields::Task && writing.typed.task.is_unfinished();
-        let reason = || messages::without_line(lang, fault);
-        let text = if is_unfinished { t.unfinished.to_owned() } else { format!("{}: {}", t.not_written, reason()) };
-        let color = if is_unfinished { ui.visuals().weak_text_color() } else { ui.visuals().error_fg_color };
-        ui.label(RichText::new(text).color(color));
-    }
-    let has_fault = writing.fault.is_some();
-    if has_fault && ui.button(t.forget_typed).explained(t.forget_typed_hint).clicked() {
-        return learn.forget_text();
-    }
+    let waits = writing.has_valid_text() && now - writing.typed_at > PAUSE;
     if is_typed {
         learn.text_edited(now);
         ui.ctx().request_repaint_after(std::time::Duration::from_secs_f64(PAUSE + 0.1));
-    } else if waits || is_left && !has_fault {
-        learn.save_text(model);
+    } else if waits || is_left {
+        learn.save_valid_text(model);
     }
 }
 
 /// Texts of the step or of the lesson. Returns true if one of the fields has lost the focus.
-fn words(ui: &mut Ui, t: &Texts, writing: &mut Writing) -> bool {
+fn words(ui: &mut Ui, t: &Texts, writing: &mut Writing, subject: Option<(&Figure, &Report)>) -> bool {
     let (of, width) = (writing.lang, ui.available_width());
     // As many rows in both, so that the choice doesn't move under the pointer.
     let (first, names) = if writing.shows == Fields::Lesson {
@@ -124,9 +132,10 @@ fn words(ui: &mut Ui, t: &Texts, writing: &mut Writing) -> bool {
     let mut is_left = false;
     for ((k, told), (name, rows)) in writing.typed.words.iter_mut().enumerate().skip(first).zip(names) {
         let text = told_mut(if name == t.lesson_minutes_field { Lang::En } else { of }, told);
-        let label = ui.label(name);
-        let field = if rows == 1 { TextField::line(text, MAX_TITLE) } else { TextField::lines(text, MAX_TYPED) };
         let id = Id::unique(("text of a step", k, of));
+        let subject = subject.filter(|_| (1..FIELDS_OF_STEP).contains(&k));
+        let label = name_with_numbers(ui, lesson_tasks::texts(t.lang), name, subject, (id, text));
+        let field = if rows == 1 { TextField::line(text, MAX_TITLE) } else { TextField::lines(text, MAX_TYPED) };
         let response = field.with(|edit| edit.id(id).desired_width(width).desired_rows(rows)).show(ui, t.lang);
         is_left |= response.labelled_by(label.id).lost_focus();
     }

@@ -3,7 +3,7 @@
 use eframe::egui::{self, Align, Context, Key, Layout, Modifiers, RichText, Sense, Ui, vec2};
 
 use crate::exercises::{Ask, Exercise, Expected, ExpectedAnswer, Kind};
-use crate::gui::kit::{Explained, prose, theme};
+use crate::gui::kit::{Explained, TEXT_LINE, prose, theme};
 use crate::gui::learn::Learn;
 use crate::lessons::{Step, Task};
 use camera_lab_words::learn::exercises as said;
@@ -82,6 +82,8 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, learn: &mut Learn, step: &Step) -> bo
     let (Some(ask), number) = (exercise.asks.first(), playing.step) else { return false };
     let counts = playing.hands.of(number, choices);
     let is_answered = playing.hands.answered == Some(number);
+    // Every choice is to be seen below the pictures.
+    (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (1.0, TEXT_LINE);
     prose::show(ui, &format!("**{}**", said::ask(t.lang, &exercise, ask).replace("**", "")));
     for (choice, count) in counts.iter().enumerate() {
         let place = Place { choice, count: *count, most: counts.iter().copied().max().unwrap_or_default() };
@@ -89,7 +91,7 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, learn: &mut Learn, step: &Step) -> bo
             playing.hands.raise(number, (choice, choices), true);
         }
     }
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let all: u32 = counts.iter().fold(0, |all, count| all.saturating_add(*count));
         if !is_answered && ui.button(format!("{} (Q)", t.show_answer)).explained(t.show_answer_hint).clicked() {
             playing.go_on_asking(true);

@@ -24,6 +24,25 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
     // At its full height from the first frame, because a list that grows moves under the pointer.
     let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most).auto_shrink(false);
     area.show(ui, |ui| {
+        if !learn.own.is_empty() {
+            ui.label(RichText::new(t.my_lessons).strong());
+        }
+        for (path, lesson) in &learn.own {
+            let link = ui.link(words::with_minutes(lang, lesson)).explained(crate::sanitize::path(path));
+            if link.clicked() {
+                chosen = Some(OpenLesson { lesson: lesson.clone(), path: Some(path.clone()), step: 0 });
+            }
+            if let Some(sentence) = &lesson.sentence {
+                ui.scope(|ui| {
+                    ui.style_mut().override_text_style = Some(TextStyle::Small);
+                    prose::show(ui, told(lang, sentence).trim());
+                });
+            }
+        }
+        if !learn.own.is_empty() {
+            ui.separator();
+            ui.label(RichText::new(t.of_program).strong());
+        }
         for (k, shipped) in shipped().iter().enumerate() {
             let lesson = &shipped.lesson;
             let is_taken = learn.taken.contains_key(&lesson.id);
@@ -62,16 +81,6 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
                 ui.add(Label::new(RichText::new(text).small().weak()).wrap());
             }
             ui.add_space(6.0);
-        }
-        if !learn.own.is_empty() {
-            ui.separator();
-            ui.label(RichText::new(t.of_folder).strong());
-        }
-        for (path, lesson) in &learn.own {
-            let link = ui.link(words::with_minutes(lang, lesson)).explained(crate::sanitize::path(path));
-            if link.clicked() {
-                chosen = Some(OpenLesson { lesson: lesson.clone(), path: Some(path.clone()), step: 0 });
-            }
         }
     });
     ui.separator();

@@ -31,6 +31,8 @@ use camera_lab_words::{Lang, told};
 const SHARE: f32 = 0.42;
 /// The share that they may take while they are written.
 const SHARE_WRITTEN: f32 = 0.4;
+/// The height of the title of a view and of the lines below the views, in points.
+const AROUND_VIEWS: f32 = 68.0;
 /// The share that they may take in a presentation during a question, so that the button that checks its answer is
 /// visible.
 const SHARE_ASKED: f32 = 0.5;
@@ -185,8 +187,11 @@ pub(in crate::gui) fn panel(ui: &mut Ui, model: &mut Model, learn: &mut Learn) -
         (false, true) => SHARE_ASKED,
         (false, false) => SHARE,
     };
-    let most = share * ctx.content_rect().height();
+    let height = ctx.content_rect().height();
     let notes = speaker::are_below(&ctx, model, playing);
+    // With notes too, the pictures keep half of the height, without the title of a view and the lines below.
+    let left = if presents && notes { ui.available_height() - 0.5 * height - AROUND_VIEWS } else { f32::INFINITY };
+    let most = left.clamp(2.0 * ui.spacing().interact_size.y, share * height);
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
     // Beside an exercise it's narrower, and as high as elsewhere.
     let size = ctx.content_rect().size();
@@ -410,11 +415,14 @@ fn content(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn)
         None => told(lang, text).to_owned(),
     };
     let presents = model.settings.presentation;
+    // A text with a fault is shown as it's typed.
+    let faulty = writing.filter(|writing| writing.fault.is_some()).map(|writing| writing.typed.words.clone());
+    let [title, body] = faulty.as_ref().map_or([&step.title, &step.text], |[title, body, ..]| [title, body]);
     let say = |ui: &mut Ui| {
         if !presents {
-            ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).heading()).wrap());
+            ui.add(egui::Label::new(RichText::new(told(lang, title)).heading()).wrap());
         }
-        prose::show(ui, text(&step.text).trim());
+        prose::show(ui, text(body).trim());
     };
     let asks = step.task.is_some() && learn.lesson.as_ref().is_some_and(|playing| playing.shows_question);
     // An exercise takes one line here.

@@ -1,18 +1,56 @@
 //! The menu of the quantities of a figure, each with its path in the output of `inspect`.
 
-use eframe::egui::Ui;
+use eframe::egui::text::{CCursor, CCursorRange};
+use eframe::egui::{Id, Response, TextEdit, Ui};
 
 use crate::figure::{Figure, Localized};
-use crate::gui::kit::Explained;
+use crate::gui::kit::{Explained, TEXT_LINE};
 use crate::inspect::Report;
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, ReportMatrix, WindowNumber};
+use crate::limits::MAX_TYPED;
 use camera_lab_words::learn::lesson_tasks::Texts;
 use camera_lab_words::learn::lessons::filled_from;
 
-/// A button that opens the menu. Returns the path of the chosen quantity.
-pub(super) fn quantity_menu(ui: &mut Ui, t: &Texts, (figure, report): (&Figure, &Report)) -> Option<String> {
+/// The name of a text, and beside it the menu. A chosen quantity goes to the caret of the field `id`, in braces, if the
+/// text has room for it. Returns the name.
+pub(super) fn name_with_numbers(
+    ui: &mut Ui,
+    t: &Texts,
+    name: &str,
+    subject: Option<(&Figure, &Report)>,
+    (id, text): (Id, &mut String),
+) -> Response {
+    ui.horizontal(|ui| {
+        // As high as a line without the menu, because the fields need the room.
+        (ui.spacing_mut().interact_size.y, ui.spacing_mut().button_padding.y) = (TEXT_LINE, 0.0);
+        let label = ui.label(name);
+        let chosen = subject.and_then(|subject| quantity_menu(ui, t, [t.insert_number, t.insert_number_hint], subject));
+        if let Some(number) = chosen.map(|path| format!("{{{path}}}"))
+            && text.chars().count() + number.chars().count() <= MAX_TYPED
+        {
+            let mut edit = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+            let caret = edit.cursor.char_range().map(|range| usize::from(range.primary.index));
+            let at = caret.and_then(|at| Some(text.char_indices().nth(at)?.0)).unwrap_or(text.len());
+            text.insert_str(at, &number);
+            let after = CCursor::new(text[..at].chars().count() + number.chars().count());
+            edit.cursor.set_char_range(Some(CCursorRange::one(after)));
+            edit.store(ui.ctx(), id);
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
+        label
+    })
+    .inner
+}
+
+/// A button with this name and hint that opens the menu. Returns the path of the chosen quantity.
+pub(super) fn quantity_menu(
+    ui: &mut Ui,
+    t: &Texts,
+    [name, hint]: [&str; 2],
+    (figure, report): (&Figure, &Report),
+) -> Option<String> {
     let mut chosen = None;
-    let button = ui.menu_button(format!("{} ▾", t.quantity), |ui| {
+    let button = ui.menu_button(format!("{name} ▾"), |ui| {
         let camera = crate::camera::ParameterKey::ALL
             .map(Quantity::Camera)
             .into_iter()
@@ -39,7 +77,7 @@ pub(super) fn quantity_menu(ui: &mut Ui, t: &Texts, (figure, report): (&Figure, 
             });
         }
     });
-    button.response.explained(t.quantity_hint);
+    button.response.explained(hint);
     chosen
 }
 

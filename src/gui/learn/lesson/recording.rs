@@ -1,6 +1,8 @@
 //! Lessons of the user's own: their steps as they are recorded, and those of a folder.
 
-use std::path::Path;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::figure::{Figure, Localized, Screen};
 use crate::gui::learn::Learn;
@@ -10,13 +12,23 @@ use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOu
 use camera_lab_words::learn::lessons as words;
 
 impl Learn {
-    /// Reads the user's own lessons: those beside the one written last, the figure or the gallery's figures.
-    pub(in crate::gui) fn look_for_lessons(&mut self, model: &Model, gallery: Option<&Path>) {
+    /// Reads the user's own lessons: the recent ones, and those beside the one written last, the figure and the
+    /// gallery's figures.
+    pub(in crate::gui) fn look_for_lessons(&mut self, model: &Model, gallery: Option<&Path>, recent: &[PathBuf]) {
+        self.own.clear();
+        if model.in_browser {
+            return;
+        }
+        let of_file = recent.iter().filter(|path| !files::is_network(path) && files::is_lesson(path));
+        let of_file = of_file.filter_map(|path| Some((path.clone(), Arc::new(files::read_lesson(path).ok()?.0))));
+        self.own.extend(of_file);
         let folders = [self.file.as_deref().and_then(Path::parent), model.desk.shown.folder(), gallery];
-        let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
+        let folders: BTreeSet<&Path> = folders.into_iter().flatten().filter(|f| !f.as_os_str().is_empty()).collect();
         // A folder that can't be read has none.
-        let found = folder.filter(|_| !model.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
-        self.own = found.unwrap_or_default().lessons;
+        let of_folders = folders.into_iter().filter_map(|folder| files::read_lessons(folder).ok());
+        self.own.extend(of_folders.flat_map(|found| found.lessons));
+        let mut seen = BTreeSet::new();
+        self.own.retain(|(path, _)| seen.insert(path.clone()));
     }
 
     /// Adds the state on the screen to the lesson in a file, which is created if it doesn't exist.
@@ -81,7 +93,7 @@ impl Learn {
         model.say(Message::StepAdded(path.to_owned(), lesson.steps.len(), left_out));
         if let Some(playing) = self.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
             // The steps before it have their places.
-            playing.lesson = std::sync::Arc::new(lesson);
+            playing.lesson = Arc::new(lesson);
         }
     }
 }

@@ -368,7 +368,10 @@ impl Learn {
         let tries = goal.is_some();
         self.take_over(model, document.clone());
         model.desk.play_lesson();
-        model.settings.panels.wanted = [tries && !operates, operates, model.settings.panels.wanted[2]];
+        // Its author chooses them.
+        if playing.writing.is_none() {
+            model.settings.panels.wanted = [tries && !operates, operates, model.settings.panels.wanted[2]];
+        }
         if let Some(entry) = question {
             self.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
             self.exercises.of_lesson = vec![entry];

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Button, ComboBox, Id, RadioButton, Ui, vec2};
 
-use super::quantity_menu::quantity_menu;
+use super::quantity_menu::{name_with_numbers, quantity_menu};
 use crate::exercises::entries;
 use crate::figure::{Figure, Localized};
 use crate::gui::kit::{Explained, TextField, number_field};
@@ -87,9 +87,10 @@ struct TaskFields<'a> {
 impl TaskFields<'_> {
     /// A text over the whole width.
     fn text(&mut self, ui: &mut Ui, name: &str, text: &mut Localized) {
-        let label = ui.label(name);
         let (id, width) = (Id::unique(("text of a task", self.lang)), ui.available_width());
-        let field = TextField::lines(told_mut(self.lang, text), MAX_TYPED);
+        let text = told_mut(self.lang, text);
+        let label = name_with_numbers(ui, self.t, name, self.subject, (id, text));
+        let field = TextField::lines(text, MAX_TYPED);
         let field = field.with(|edit| edit.id(id).desired_width(width).desired_rows(ROWS));
         let response = field.show(ui, self.t.lang).labelled_by(label.id);
         number_field::answer_call(ui, &response, name);
@@ -152,7 +153,9 @@ impl TaskFields<'_> {
         ui.horizontal_wrapped(|ui| {
             ui.label(t.answer_field).explained(t.answer_hint);
             self.line(ui, 2.5 * NUMBER, (t.answer_field, 0), &mut task.number);
-            if let Some(path) = self.subject.and_then(|subject| quantity_menu(ui, t, subject)) {
+            if let Some(path) =
+                self.subject.and_then(|subject| quantity_menu(ui, t, [t.quantity, t.quantity_hint], subject))
+            {
                 task.number = path;
             }
             ui.label(t.tolerance_field).explained(t.tolerance_hint);
@@ -213,7 +216,9 @@ impl TaskFields<'_> {
             return self.line(ui, 2.5 * NUMBER, (t.object_field, place), &mut condition.name);
         }
         self.line(ui, 2.0 * NUMBER, (t.of_quantity, place), &mut condition.name);
-        if let Some(path) = self.subject.and_then(|subject| quantity_menu(ui, t, subject)) {
+        if let Some(path) =
+            self.subject.and_then(|subject| quantity_menu(ui, t, [t.quantity, t.quantity_hint], subject))
+        {
             condition.name = path;
         }
         for (name, number) in [(t.at_least, &mut condition.least), (t.at_most, &mut condition.most)] {

@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::figure::{Figure, FigureError, Localized};
+use crate::figure::{Figure, FigureError, Localized, difference};
 use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::recording::for_lesson;
 use crate::lessons::{
@@ -29,9 +29,9 @@ pub struct Writing {
     pub typed: Typed,
     /// The same as they are in the file.
     kept: Typed,
-    /// The file with the typed texts, not yet written.
-    ahead: Option<String>,
-    /// The reason why it can't be written.
+    /// The file with the typed texts that are valid, not yet written, and these texts.
+    ahead: Option<(String, Typed)>,
+    /// The reason why the others can't be written.
     pub fault: Option<FigureError>,
     /// The language of the fields.
     pub lang: Lang,
@@ -105,12 +105,46 @@ impl Writing {
         (self.ahead, self.fault, self.unsaved) = (None, None, None);
     }
 
-    /// The file with the typed texts.
-    fn tried(&self) -> Result<(String, Lesson), FigureError> {
-        let fields = FIELDS.into_iter().zip(self.typed.words.iter().zip(&self.kept.words));
+    /// True if typed text waits to be written.
+    pub(in crate::gui) const fn has_valid_text(&self) -> bool {
+        self.ahead.is_some()
+    }
+
+    /// Holds the typed text that isn't in the file for the session.
+    fn hold(&mut self, path: &Path) {
+        self.unsaved = self.is_ahead().then(|| {
+            let (text, Typed { words, task }) = (self.text.clone(), self.typed.clone());
+            Arc::new(UnsavedText { path: path.to_owned(), step: self.step, text, words, task })
+        });
+    }
+
+    /// The file with the typed texts, its lesson and these texts. If one of them has a fault, it keeps its old text in
+    /// the file, and the fault comes too.
+    fn tried(&self) -> (Option<(String, Lesson, Typed)>, Option<FigureError>) {
+        let fault = match self.with(&self.typed) {
+            Ok((text, lesson)) => return (Some((text, lesson, self.typed.clone())), None),
+            Err(fault) => fault,
+        };
+        let mut found: Option<(String, Lesson, Typed)> = None;
+        for part in 0..=FIELDS.len() {
+            let mut next = found.as_ref().map_or(&self.kept, |(.., valid)| valid).clone();
+            match (next.words.get_mut(part), self.typed.words.get(part)) {
+                (Some(words), Some(typed)) => words.clone_from(typed),
+                _ => next.task.clone_from(&self.typed.task),
+            }
+            if let Ok((text, lesson)) = self.with(&next) {
+                found = Some((text, lesson, next));
+            }
+        }
+        (found, Some(fault))
+    }
+
+    /// The file with these texts.
+    fn with(&self, typed: &Typed) -> Result<(String, Lesson), FigureError> {
+        let fields = FIELDS.into_iter().zip(typed.words.iter().zip(&self.kept.words));
         let changed = fields.filter(|(_, (typed, kept))| typed != kept);
         let words = changed.map(|(words, (typed, _))| words(self.step, typed.clone()));
-        let task = (self.typed.task != self.kept.task).then(|| Box::new(self.typed.task.clone()));
+        let task = (typed.task != self.kept.task).then(|| Box::new(typed.task.clone()));
         let words: Vec<Words> = words.chain(task.map(|task| Words::Task(self.step, task))).collect();
         reworded(&self.text, &words)
     }
@@ -246,41 +280,42 @@ impl Learn {
         let Some(playing) = &mut self.lesson else { return };
         let (Some(path), Some(writing)) = (&playing.path, &mut playing.writing) else { return };
         writing.typed_at = now;
-        writing.unsaved = writing.is_ahead().then(|| {
-            let (text, Typed { words, task }) = (writing.text.clone(), writing.typed.clone());
-            Arc::new(UnsavedText { path: path.clone(), step: writing.step, text, words, task })
-        });
-        match writing.tried() {
-            Ok((text, lesson)) => {
-                (writing.ahead, writing.fault) = (Some(text), None);
-                if let Some(Task::Question(entry)) = lesson.steps.get(playing.step).and_then(|step| step.task.as_ref())
-                {
-                    self.exercises.preview((**entry).clone());
-                }
-                playing.lesson = Arc::new(lesson);
-            }
-            Err(fault) => (writing.ahead, writing.fault) = (None, Some(fault)),
+        writing.hold(path);
+        let (found, fault) = writing.tried();
+        (writing.ahead, writing.fault) = (None, fault);
+        let Some((text, lesson, valid)) = found else { return };
+        writing.ahead = (valid != writing.kept).then_some((text, valid));
+        if let Some(Task::Question(entry)) = lesson.steps.get(playing.step).and_then(|step| step.task.as_ref()) {
+            self.exercises.preview((**entry).clone());
         }
+        playing.lesson = Arc::new(lesson);
     }
 
-    /// Writes the typed text into the file. Returns false if it can't be written. Then a message says why, and the
-    /// texts stay in their fields.
+    /// Writes the typed text into the file. Returns false if some of it can't be written. Then a message says why, and
+    /// the texts stay in their fields.
     pub(in crate::gui) fn save_text(&mut self, model: &mut Model) -> bool {
+        if !self.save_valid_text(model) {
+            return false;
+        }
+        let Some(playing) = &self.lesson else { return true };
+        let (Some(path), Some(writing)) = (&playing.path, &playing.writing) else { return true };
+        if let Some(fault) = writing.fault.clone().filter(|_| writing.is_ahead()) {
+            model.say(Message::StepNotKept(path.clone(), FileError::Figure(fault)));
+        }
+        !writing.is_ahead()
+    }
+
+    /// Writes the typed texts without a fault into the file. Returns false, with a message, if the file can't be
+    /// written.
+    pub(in crate::gui) fn save_valid_text(&mut self, model: &mut Model) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return true };
-        if !writing.is_ahead() {
-            return true;
-        }
+        let Some((text, valid)) = writing.ahead.clone() else { return true };
         let step = writing.step;
-        let Some(text) = writing.ahead.clone() else {
-            let fault = writing.fault.clone().map(FileError::Figure);
-            fault.into_iter().for_each(|fault| model.say(Message::StepNotKept(path.clone(), fault)));
-            return false;
-        };
         let is_kept = self.store(model, &path, text, step);
         if is_kept && let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
-            writing.kept = writing.typed.clone();
-            (writing.ahead, writing.unsaved) = (None, None);
+            (writing.kept, writing.ahead) = (valid, None);
+            writing.hold(&path);
         }
         is_kept
     }
@@ -298,14 +333,14 @@ impl Learn {
     pub(in crate::gui) fn save_text_as(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let Some(writing) = &mut playing.writing else { return true };
-        let Some(text) = writing.ahead.clone() else { return false };
+        let Some((text, valid)) = writing.ahead.clone() else { return false };
         if let Err(error) = files::save(path, text.as_bytes(), overwrite) {
             model.say(Message::File(path.to_owned(), error));
             return false;
         }
         playing.path = Some(path.to_owned());
-        (writing.text, writing.kept) = (text, writing.typed.clone());
-        (writing.ahead, writing.unsaved) = (None, None);
+        (writing.text, writing.kept, writing.ahead) = (text, valid, None);
+        writing.hold(path);
         // The changes of the other file aren't those of this one.
         (writing.earlier, writing.later) = Default::default();
         self.file = Some(path.to_owned());
@@ -363,10 +398,16 @@ impl Learn {
         };
         match changed {
             Ok((text, lesson)) => {
+                let taken = lesson.steps.get(step).map(|now| &*now.figure);
+                let taken = self.lesson.as_ref().zip(taken).map(|(before, now)| {
+                    let before = before.now().map(|step| &*step.figure);
+                    difference(before, now).keys()
+                });
                 if self.store(model, &path, text, step) {
                     let message = match (left_out, &change) {
                         (Some(left_out), StepChange::Screen) => Some(Message::OutOfReach(path, left_out)),
                         (left_out @ Some(_), StepChange::Another) => Some(Message::StepAdded(path, then + 1, left_out)),
+                        (None, StepChange::Screen) => taken.map(Message::StepTook),
                         _ => None,
                     };
                     // A step that begins takes the message of the one before it away.

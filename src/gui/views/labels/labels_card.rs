@@ -1,7 +1,7 @@
 //! The card of the mode *Labels*: the chosen label, hidden ones, notes.
 
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{self, Align2, ComboBox, FontSelection, Galley, Id, Ui, Window, vec2};
+use eframe::egui::{self, Align2, ComboBox, FontSelection, Galley, Id, TextStyle, Ui, WidgetText, Window, vec2};
 
 use crate::appearance::Rgba;
 use crate::figure::labels::{LEGEND, Labels, is_in_legend, note_index, set_text};
@@ -14,8 +14,8 @@ use crate::sanitize::escaped;
 use crate::text::{Face, face};
 use crate::views::{View, unknown_labels};
 use camera_lab_desk::Model;
-use camera_lab_words::window::labels as words;
 use camera_lab_words::window::labels::Texts;
+use camera_lab_words::window::{canvas, labels as words};
 
 /// The factor of one press of *larger*.
 const LARGER: f64 = 1.25;
@@ -38,7 +38,7 @@ impl Canvas {
             }
             ui.separator();
             measures(ui, model, t);
-            whole(ui, model, t);
+            whole(ui, model, t, &|ui, name| self.words_of(ui, name));
             for (name, near) in unknown_labels(&self.shot, model.scene_cache.scene()) {
                 let text = words::unknown(model.settings.lang, &name, near.as_deref());
                 ui.colored_label(ui.visuals().warn_fg_color, text);
@@ -56,20 +56,40 @@ impl Canvas {
                 }
             }
         }
+        let named = |ui: &Ui, (view, name): &(View, String)| {
+            let text = self.words_of(ui, name);
+            // Two pictures may have different labels with the same words.
+            let is_other = |(_, other): &(View, String)| other != name && self.words_of(ui, other) == text;
+            let of_view = canvas::texts(t.lang).view(*view);
+            let text = if all.iter().any(is_other) { format!("{text} ({of_view})") } else { text };
+            theme::lowered(ui, &escaped(&text), &TextStyle::Button, ui.visuals().text_color())
+        };
         let mut chosen = model.label_mode.chosen.clone();
         ui.horizontal(|ui| {
             let label = ui.label(t.choose);
-            let shown = chosen.as_ref().map_or_else(|| t.none.to_owned(), |(_, name)| escaped(name));
+            let shown = chosen.as_ref().map_or_else(|| t.none.into(), |one| WidgetText::from(named(ui, one)));
             let combo = ComboBox::from_id_salt("label").selected_text(shown).width(150.0).show_ui(ui, |ui| {
                 ui.selectable_value(&mut chosen, None, t.none);
-                for one in all {
-                    let text = escaped(&one.1);
-                    ui.selectable_value(&mut chosen, Some(one), text);
+                for one in &all {
+                    let text = named(ui, one);
+                    ui.selectable_value(&mut chosen, Some(one.clone()), text);
                 }
             });
             combo.response.labelled_by(label.id).explained(t.choose_hint);
         });
         model.label_mode.choose(chosen);
+    }
+
+    /// The words of a label in the pictures, or, if it's hidden, those that it had, in plain letters.
+    fn words_of(&self, ui: &Ui, name: &str) -> String {
+        let id = Id::unique(("words of label", name));
+        let mut labels = self.pictures.iter().flat_map(|picture| &picture.labels);
+        let shown = labels.find(|label| label.name == name && !label.text.trim().is_empty());
+        ui.data_mut(|data| {
+            let words = data.get_temp_mut_or_insert_with(id, || name.to_owned());
+            shown.into_iter().for_each(|label| *words = label.text.chars().map(|c| face(c, false).1).collect());
+            words.clone()
+        })
     }
 
     /// The author's wishes for a label.
@@ -211,8 +231,8 @@ fn text_of_measure(ui: &mut Ui, model: &mut Model, name: &str, t: &Texts) {
     });
 }
 
-/// The part for all labels.
-fn whole(ui: &mut Ui, model: &mut Model, t: &Texts) {
+/// The part for all labels, with the words of hidden ones.
+fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str) -> String) {
     let labels = &model.desk.shown.figure().labels;
     let (hidden, notes) = (labels.hidden.clone(), labels.notes.len());
     let mut is_mathematics = labels.letters == Letters::Mathematics;
@@ -220,7 +240,7 @@ fn whole(ui: &mut Ui, model: &mut Model, t: &Texts) {
         ui.horizontal_wrapped(|ui| {
             ui.label(t.hidden);
             for name in &hidden {
-                if ui.button(escaped(name)).explained(t.show_again).clicked() {
+                if ui.button(escaped(&words_of(ui, name))).explained(t.show_again).clicked() {
                     model.desk.shown.edit_labels(|labels| labels.show(name));
                 }
             }

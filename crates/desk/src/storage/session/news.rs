@@ -128,6 +128,16 @@ impl NewsList {
         }
     }
 
+    /// True if a message is that the session was restored.
+    pub fn has_restored(&self) -> bool {
+        self.shown.iter().any(|news| matches!(news, News::Restored))
+    }
+
+    /// Closes the message that the session was restored.
+    pub fn forget_restored(&mut self) {
+        self.shown.retain(|news| !matches!(news, News::Restored));
+    }
+
     /// This kind is stored again. Its messages go, and later ones are new.
     pub fn is_kept(&mut self, what: Keeping) {
         for news in &mut self.shown {

@@ -16,6 +16,17 @@ pub struct Difference {
     pub without: Vec<String>,
 }
 
+impl Difference {
+    /// The names of all keys in it, such as `camera.near`. A list or a text of its own counts as one key.
+    pub fn keys(&self) -> Vec<String> {
+        let of = |(section, item): (&str, &Item)| match item.as_table_like() {
+            Some(table) => table.iter().map(|(key, _)| format!("{section}.{key}")).collect(),
+            None => vec![section.to_owned()],
+        };
+        self.changed.iter().flat_map(of).chain(self.without.iter().cloned()).collect()
+    }
+}
+
 /// The difference of `now` from `before`; `None` means everything. Title and caption don't take part.
 ///
 /// *Guarantees*: sections of `before` without the keys in `without`, with those in `changed` put over them, are `now`.
@@ -36,6 +47,13 @@ pub fn difference(before: Option<&Figure>, now: &Figure) -> Difference {
             _ if was.is_some_and(|was| same(was, item)) => {}
             _ => drop(difference.changed.insert(section, item.clone())),
         }
+    }
+    // A section of the camera would end the operations that led to the camera before.
+    let operations = |figure: &DocumentMut| Some(figure.get("show")?.as_table_like()?.get("operation")?.clone());
+    let kept = operations(&new).zip(operations(&old)).filter(|(now, was)| same(now, was));
+    if let Some((kept, _)) = kept.filter(|_| difference.changed.contains_key("camera")) {
+        let show = difference.changed.entry("show").or_insert_with(toml_edit::table);
+        show.as_table_like_mut().into_iter().for_each(|show| drop(show.insert("operation", kept.clone())));
     }
     let gone = old.iter().map(|(section, _)| section).filter(|section| !new.contains_key(section));
     difference.without.extend(gone.map(str::to_owned));

@@ -15,12 +15,18 @@ pub struct Stacked {
 
 impl Stacked {
     /// Puts the sections of a figure in `over` on top, where each key replaces the one that was there. Lists of
-    /// sections are replaced whole.
+    /// sections are replaced whole. A section of the camera ends `show.operation`, which led to the camera before,
+    /// unless `over` has that too.
     pub fn put(&mut self, over: &mut Section<'_>) {
         for name in sections() {
             over.skip(name);
         }
         let Some(items) = over.table else { return };
+        let has_operation =
+            items.get("show").and_then(Item::as_table_like).is_some_and(|s| s.contains_key("operation"));
+        if items.contains_key("camera") && !has_operation {
+            self.remove("show.operation");
+        }
         for name in sections() {
             let Some((key, item)) = items.get_key_value(name) else { continue };
             match (self.table.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {

@@ -1,0 +1,60 @@
+//! The page for students and the package for a course platform, with the open lesson or figure in them.
+
+use std::path::Path;
+
+use eframe::egui;
+
+use crate::gui::app::file_flow;
+use crate::gui::app::file_flow::questions::{HandOut, Purpose};
+use crate::gui::app::state::State;
+use camera_lab_files::hand_out::{PAGE_NAME, USUAL_PASS, of_shipped, package, page_with, read_page, without_files};
+use camera_lab_files::share::{Held, fragment};
+use camera_lab_files::{self as files, FileError};
+use camera_lab_words::told;
+
+/// Asks for the file to write. The page in one file lies beside the program, or is where the user found it last.
+/// Otherwise asks for it first.
+pub(in crate::gui) fn begin(ctx: &egui::Context, state: &mut State, what: HandOut) {
+    // A page of a browser doesn't hand itself out, and needs none of this. The file of a lesson gets the typed text. If
+    // it can't, a message says why.
+    if cfg!(target_arch = "wasm32") || !state.learn.save_text(&mut state.model) {
+        return;
+    }
+    let beside = std::env::current_exe().ok().map(|program| program.with_file_name(PAGE_NAME));
+    let known = beside.into_iter().chain([state.sharing.page_file.clone()]).find(|page| read_page(page).is_ok());
+    file_flow::ask(ctx, state, known.map_or(Purpose::Page(what), |page| Purpose::HandOut(what, page)));
+}
+
+/// Goes on with the page that the user has chosen.
+pub(super) fn take_page(ctx: &egui::Context, state: &mut State, what: HandOut, page: &Path) {
+    match read_page(page) {
+        Ok(_) => {
+            page.clone_into(&mut state.sharing.page_file);
+            file_flow::ask(ctx, state, Purpose::HandOut(what, page.to_owned()));
+        }
+        Err(error) => state.model.say(camera_lab_desk::Message::File(page.to_owned(), error)),
+    }
+}
+
+/// The bytes of the file.
+pub(super) fn bytes(state: &State, what: HandOut, page: &Path) -> Result<Vec<u8>, FileError> {
+    if cfg!(target_arch = "wasm32") {
+        return Err(FileError::OtherPage);
+    }
+    let page = read_page(page)?;
+    let Some(playing) = &state.learn.lesson else {
+        without_files([state.model.desk.shown.figure()])?;
+        let figure = fragment(Held::Figure, &file_flow::text_as_shown(&state.model));
+        return Ok(page_with(&page, &figure).into_bytes());
+    };
+    let (lesson, id) = (&playing.lesson, &playing.lesson.id);
+    let own = playing.path.as_deref().map(files::read_lesson).transpose()?.map(|(_, text)| text);
+    if what == HandOut::Course {
+        let lang = state.model.settings.lang;
+        let course = (told(lang, &lesson.title), lang.tag(), USUAL_PASS);
+        return package(page, lesson, own.as_deref().unwrap_or(id), course);
+    }
+    without_files(lesson.steps.iter().map(|step| &*step.figure))?;
+    let opens = own.map_or_else(|| of_shipped(id), |text| fragment(Held::Lesson, &text));
+    Ok(page_with(&page, &opens).into_bytes())
+}

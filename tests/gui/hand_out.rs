@@ -1,0 +1,53 @@
+//! Files to hand out: the page for students, and the package for a course platform.
+
+use std::fs;
+
+use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
+use camera_lab::lessons::shipped;
+use camera_lab_files::share::text_in;
+use camera_lab_words::Lang;
+use eframe::egui::{Key, Modifiers};
+
+use super::files::Folder;
+use super::lessons::playing;
+use super::window::Window;
+
+/// A page of this version, as far as the program looks.
+const PAGE: &str = concat!("<meta name=\"camera-lab\" content=\"", env!("CARGO_PKG_VERSION"), "\">Stand-in");
+
+#[test]
+fn the_page_is_asked_for_once_and_opens_the_figure_or_the_lesson() {
+    let folder = Folder::new("hand-out");
+    let mut window = Window::new(Lang::En);
+    let write = |window: &mut Window, key, name: &str| {
+        window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, key);
+        window.run();
+        window.choose(&folder.file(name));
+        window.run();
+    };
+    let asks_for_page =
+        |window: &Window| matches!(&window.state().file_flow.dialog, Some(Dialog::Path(Purpose::Page(_), _)));
+    fs::write(folder.file("other.html"), "<html>").expect("written");
+    write(&mut window, Key::H, "other.html");
+    assert!(asks_for_page(&window) && window.says("isn't the page of this version"));
+    fs::write(folder.file("camera-lab.html"), PAGE).expect("written");
+    window.choose(&folder.file("camera-lab.html"));
+    window.run();
+    window.choose(&folder.file("figure.html"));
+    window.run();
+    let page = fs::read_to_string(folder.file("figure.html")).expect("a page");
+    let link = page.split('\'').find(|part| part.starts_with("#figure=")).expect("a link");
+    assert!(matches!(text_in(link), Some(Ok(text)) if text.starts_with(b"[")), "{link}");
+    // No lesson, no package. The page isn't asked for again.
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::M);
+    window.run();
+    assert_eq!(window.state().file_flow.dialog, None);
+    let mut lesson = playing(1, 0, Lang::En);
+    lesson.app_mut().state.sharing.page_file = folder.file("camera-lab.html");
+    let window = &mut lesson;
+    let id = format!("&lesson={}'", shipped()[1].lesson.id);
+    write(window, Key::H, "lesson.html");
+    assert!(fs::read_to_string(folder.file("lesson.html")).expect("a page").contains(&id));
+    write(window, Key::M, "course.zip");
+    assert!(fs::read(folder.file("course.zip")).expect("a package").starts_with(b"PK"));
+}
