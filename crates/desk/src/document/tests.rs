@@ -66,7 +66,7 @@ fn steps_all_the_way_round_give_the_camera_back_bit_for_bit() {
 fn a_scene_is_changed_until_it_is_the_saved_one_again_however_that_came() {
     let mut document = Document::new(Figure::default(), None).unwrap();
     let (first, saved) = (document.revision(), document.figure().scene.clone());
-    let light = crate::scene::Light::point(glam::DVec3::ONE);
+    let light = crate::scene::Light::point(DVec3::ONE);
     document.edit(|figure| figure.scene.lights.push(light));
     document.commit();
     assert!(document.is_changed() && document.revision() != first);

@@ -110,7 +110,7 @@ impl Entry {
 
     fn fault(&'static self) -> Self {
         let (id, make) = (Cow::Owned(format!("{}{FAULT}", self.id)), Make::Fault(self));
-        Self { id, source: self.source, is_family: true, make }
+        Self { id, source: self.source, is_family: true, minutes: self.minutes, make }
     }
 
     /// Its texts, if it's a lecturer's own exercise.
