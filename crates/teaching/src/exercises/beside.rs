@@ -90,8 +90,7 @@ fn right(ask: &Ask) -> Option<Table> {
     }
 }
 
-/// The place of a choice as a table.
-pub(super) fn choice(index: usize) -> Option<Table> {
+fn choice(index: usize) -> Option<Table> {
     Some(Table::number(f64::from(u32::try_from(index).ok()?)))
 }
 

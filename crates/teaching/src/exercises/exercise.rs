@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::beside::choice;
 use super::fault::Fault;
 use super::follows::{Follows, Holds};
 use super::own_texts::{OwnMistake, OwnTexts};
@@ -421,17 +420,18 @@ impl Ask {
             old.swap(k, random.one_of(&places));
         }
         *choices = old.iter().map(|k| choices[*k].clone()).collect();
-        let new = move |place: usize| old.iter().position(|k| *k == place).unwrap_or(place);
         for reading in &mut self.readings {
             if let Expected::Choice(right, mistakes, _) = &mut reading.expected {
-                *right = new(*right);
-                mistakes.iter_mut().for_each(|(place, _)| *place = new(*place));
+                for place in mistakes.iter_mut().map(|(place, _)| place).chain([right]) {
+                    *place = old.iter().position(|k| *k == *place).unwrap_or(*place);
+                }
             }
         }
+        let table = |place: usize| Table::number(u32::try_from(place).map_or(0.0, f64::from));
         let of_old = |Follows { from, compute }: Follows| {
-            let new = new.clone();
-            let place = move |table: Table| choice(new(table.entries.first().copied()? as usize));
-            Follows { from, compute: Arc::new(move |tables| compute(tables).and_then(&place)) }
+            let old = old.clone();
+            let new = move |found: Table| old.iter().position(|k| table(*k) == found).map(table);
+            Follows { from, compute: Arc::new(move |tables| compute(tables).and_then(&new)) }
         };
         self.follows = self.follows.into_iter().map(of_old).collect();
         self

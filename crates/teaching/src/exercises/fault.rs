@@ -192,7 +192,7 @@ fn asks(exercise: &Exercise) -> Option<Vec<Ask>> {
             continue;
         }
         let cause = diagnosis.causes[0];
-        let place = usize::try_from(random.whole(0, causes.len() as i64)).unwrap_or_default();
+        let place = usize::try_from(random.bits() % (causes.len() as u64 + 1)).unwrap_or_default();
         causes.insert(place, cause);
         let first = miswritten[0].0;
         let number = u32::try_from(first + 1).ok()?;

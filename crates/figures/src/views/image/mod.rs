@@ -60,7 +60,7 @@ impl Request {
     fn image_frame_in(&self, size: Size) -> PixelRect {
         let most = image_frame(size, self.shot.look.image_aspect(&self.camera));
         let share = vanishing::share_beside(self, most, size);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a side")]
+        #[expect(clippy::cast_possible_truncation, reason = "a part of a side")]
         let [width, height] = [most.width, most.height].map(|side| (f64::from(side) * share).round() as u32);
         PixelRect { x: most.x + (most.width - width) / 2, y: most.y + (most.height - height) / 2, width, height }
     }
