@@ -295,11 +295,14 @@ fn steps_of(id: &str) -> Option<usize> {
     shipped().iter().find(|shipped| shipped.lesson.id == id).map(|shipped| shipped.lesson.steps.len())
 }
 
+/// Gives the scene of a figure, if it can be built.
+type SceneOf<'a> = &'a dyn Fn(&Figure) -> Option<Scene>;
+
 /// The faults of the goal of a step with a scene. `scene_after` gives that of a figure, which the way may change.
 fn faults_of_goal(
     goal: &Goal,
     (k, figure): (usize, &Figure),
-    (scene, scene_after): (&Scene, &dyn Fn(&Figure) -> Option<Scene>),
+    (scene, scene_after): (&Scene, SceneOf<'_>),
     seen: &mut Seen,
     lang: Lang,
 ) -> Vec<Fault> {
