@@ -212,16 +212,16 @@ fn in_a_window_held_in_the_hand_there_is_one_view_and_a_panel_comes_from_below()
         window.harness.set_size(size.into());
         window.run();
         let views = |window: &mut Window| window.app_mut().canvas.places().map(|(view, _)| view).collect::<Vec<_>>();
-        assert_eq!(views(&mut window), [View::World]);
-        window.click("Image");
         assert_eq!(views(&mut window), [View::Image]);
+        window.click("World");
+        assert_eq!(views(&mut window), [View::World]);
         // Whether it's open already or not.
         window.app_mut().state.model.settings.panels_mut().show(Side::Left);
         window.run();
-        let (_, image) = window.app_mut().canvas.places().next().expect("the image");
+        let (_, view) = window.app_mut().canvas.places().next().expect("a view");
         let tab = window.harness.get_by_label(t.camera_tab).rect();
-        assert!(tab.min.y > image.max.y && tab.height() >= 44.0, "{tab:?} {image:?}");
-        assert!(image.height() > 100.0 && image.width() > 0.9 * size[0], "{image:?}");
+        assert!(tab.min.y > view.max.y && tab.height() >= 44.0, "{tab:?} {view:?}");
+        assert!(view.height() > 100.0 && view.width() > 0.9 * size[0], "{view:?}");
         for name in [t.parameters_panel, t.numbers_panel, t.undo] {
             let switch = window.harness.get_by_label(name).rect();
             assert!(switch.width() >= 44.0 && switch.height() >= 44.0, "{name}: {switch:?}");

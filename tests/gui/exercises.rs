@@ -21,8 +21,8 @@ use super::window::Window;
 use crate::words::en;
 
 pub(super) fn window(lang: Lang) -> Window {
-    // So high that nothing has to be scrolled.
-    window_of(lang, [800.0, 1900.0])
+    // So high that nothing has to be scrolled, and not as narrow as one held in the hand.
+    window_of(lang, [900.0, 1900.0])
 }
 
 pub(super) fn window_of(lang: Lang, size: [f32; 2]) -> Window {

@@ -471,7 +471,6 @@ mod tests {
             (Lang::En, "import", "Open…"),
             (Lang::En, "gltf", "Open…"),
             (Lang::En, "frame", "Aim at it"),
-            (Lang::En, "web", "The page for your students…"),
             (Lang::En, "scorm", "For the course platform…"),
             (Lang::PtBr, "alunos", "Uma turma…"),
             (Lang::PtBr, "enquadrar", "Ajustar a imagem"),

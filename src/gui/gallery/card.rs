@@ -316,7 +316,10 @@ mod tests {
             let CardOutcome::Listed(_, files) = at_once(work(CardJob::List(folder), &progress)) else {
                 panic!("a list")
             };
-            let sources: Vec<Source> = files.expect("readable").0.into_iter().map(Source::File).collect();
+            let mut files = files.expect("readable").0;
+            // The newest is the first, if the clock of the disk can tell.
+            natural(&mut files);
+            let sources: Vec<Source> = files.into_iter().map(Source::File).collect();
             assert_eq!(sources.len(), 2);
             let CardOutcome::Read(told) = at_once(work(CardJob::Read(sources.clone(), Lang::En), &progress)) else {
                 panic!("words")

@@ -42,7 +42,7 @@ mod tests {
         assert_eq!(words("palavra", within(3)), "…");
         assert_eq!(parts("Drag: turn · wheel: zoom · V: probe", within(30)), "Drag: turn · wheel: zoom");
         assert_eq!(parts("Drag: turn · wheel: zoom · V: probe", within(9)), "Drag…");
-        assert_eq!(parts("Janela (0,453; 0,102) · 351 px", within(20)), "Janela (0,453;…");
+        assert_eq!(parts("Janela (0,453; 0,102) · 351 px", within(20)), "Janela (0,453…");
         assert_eq!(parts("Pixel (7; 3) · Janela (0,4; 0,1)", within(30)), "Pixel (7; 3)");
         assert_eq!(parts("Drag C, PF; elsewhere: turn the view", within(30)), "Drag C, PF");
         assert_eq!(parts("A list of objects now. It loses the texts.", within(30)), "A list of objects now");

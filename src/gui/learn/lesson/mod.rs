@@ -310,7 +310,7 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
     let sign = |sign: &'static str, words: String| if is_small { sign.to_owned() } else { words };
     ui.horizontal(|ui| {
         let back = Button::new(sign("◀", format!("◀ {}", t.back)));
-        if ui.add_enabled(step > 0, back).explained(t.back_hint).accessible_name(t.back).clicked() {
+        if ui.add_enabled(step > 0, back).explained(t.back_hint).accessible_name(format!("◀ {}", t.back)).clicked() {
             command = Some(Command::PreviousFigure);
         }
         let (label, hint) = if may_go_on { (t.next, t.next_hint) } else { (t.pass, t.pass_hint) };
