@@ -223,7 +223,7 @@ fn in_a_window_held_in_the_hand_there_is_one_view_and_a_panel_comes_from_below()
         assert!(tab.min.y > view.max.y && tab.height() >= 44.0, "{tab:?} {view:?}");
         assert!(view.height() > 100.0 && view.width() > 0.9 * size[0], "{view:?}");
         for name in [t.parameters_panel, t.numbers_panel, t.undo] {
-            let switch = window.harness.get_by_label(name).rect();
+            let switch = window.harness.get_by_role_and_label(Role::Button, name).rect();
             assert!(switch.width() >= 44.0 && switch.height() >= 44.0, "{name}: {switch:?}");
         }
     }
