@@ -419,7 +419,9 @@ fn a_cause_in_english_is_one_in_portuguese() {
         );
     }
     assert!(lost.is_empty(), "without a connective such as *por isso* or *pois*:\n{}", lost.join("\n"));
-    assert!(tells_a_cause("w is 0, so it has no image") && !tells_a_cause("It grows, and so does w. So far, so good."));
+    assert!(
+        tells_a_cause("w is 0, so it has no image") && !tells_a_cause("It grows, and so does w. So far it's right.")
+    );
     assert!(has_connective("w é 0, por isso não tem imagem.") && !has_connective("w é 0, e não tem imagem; logotipo"));
 }
 

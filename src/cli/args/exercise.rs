@@ -59,7 +59,8 @@ pub(in crate::cli) struct NumbersArgs {
     /// A number that the exercise leaves open, such as F=3 or D=24
     #[arg(long = "with", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     with: Vec<String>,
-    /// The solution of a student with a mistake in it: which line is the first wrong one, and why. ID/fault does the same
+    /// The solution of a student with a mistake in it: which line is the first wrong one, and why. ID/fault does the
+    /// same
     #[arg(long)]
     pub(in crate::cli) fault: bool,
     /// A folder with your own exercises

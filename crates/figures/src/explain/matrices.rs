@@ -2,6 +2,7 @@
 //! conventions.
 
 use super::formula::{minus, over, plus, sum, times};
+use super::setting::EntryOf;
 use super::{Axis, Component, Formula, Function, Matrix, Setting, Symbol, Vector};
 use crate::camera::{Camera, Ndc, Projection};
 
@@ -19,6 +20,19 @@ pub struct MatrixFormula {
     pub section: &'static str,
     /// Rows of entries.
     pub entries: EntryFormula,
+}
+
+impl Setting<'_> {
+    /// Other numbers for some symbols, as a student has them who made a mistake on the way. Entries of matrices follow
+    /// from them.
+    #[must_use]
+    pub fn with_values(mut self, own: &[(Symbol, f64)]) -> Self {
+        let entry: EntryOf = |setting, matrix, [row, column]| {
+            MatrixFormula::new(matrix, setting).entry(usize::from(row), usize::from(column)).value(setting)
+        };
+        self.own = Some((own.to_vec(), entry));
+        self
+    }
 }
 
 impl MatrixFormula {

@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec2, DVec3};
 
-use super::{Axis, Component, Matrix, MatrixFormula, Symbol};
+use super::{Axis, Component, Matrix, Symbol};
 use crate::camera::{ClipSpace, ImageSize, Ndc, Projected, Stations, Unprojected, Viewport};
 use crate::geometry::Angle;
 
@@ -30,14 +30,18 @@ pub struct Setting<'a> {
     placement: Option<Placement>,
     point: Option<Stations>,
     local: Option<DVec3>,
-    own: Vec<(Symbol, f64)>,
+    /// A student's numbers for some symbols, and the entries of matrices that follow from them.
+    pub(super) own: Option<(Vec<(Symbol, f64)>, EntryOf)>,
 }
+
+/// Computes an entry of a matrix by its formula, from its row and its column.
+pub(super) type EntryOf = fn(&Setting<'_>, Matrix, [u8; 2]) -> f64;
 
 impl<'a> Setting<'a> {
     /// A camera without an object and without a point. Without a viewport, it's the whole image, depth 0 … 1.
     pub fn new(space: ClipSpace<'a>, image: ImageSize, viewport: Option<Viewport>) -> Self {
         let viewport = viewport.unwrap_or_else(|| Viewport::whole(image));
-        Self { space, image, viewport, placement: None, point: None, local: None, own: Vec::new() }
+        Self { space, image, viewport, placement: None, point: None, local: None, own: None }
     }
 
     /// Adds an object, for its M_m.
@@ -63,13 +67,6 @@ impl<'a> Setting<'a> {
             Stations { view: way.view, clip: way.clip, projected, ..point }
         });
         Self { point, ..setting }
-    }
-
-    /// Other numbers for some symbols, as a student has them who made a mistake on the way. Entries of matrices follow
-    /// from them.
-    #[must_use]
-    pub fn with_values(self, own: &[(Symbol, f64)]) -> Self {
-        Self { own: own.to_vec(), ..self }
     }
 
     /// The same with a back plane, if the convention has none.
@@ -163,7 +160,8 @@ impl<'a> Setting<'a> {
 
     /// The number of a symbol; NaN if there's no such object or point, or if it has no image.
     pub fn value(&self, symbol: Symbol) -> f64 {
-        if let Some((_, own)) = self.own.iter().find(|(of, _)| *of == symbol) {
+        let own = self.own.iter().flat_map(|(own, _)| own).find(|(of, _)| *of == symbol);
+        if let Some((_, own)) = own {
             return *own;
         }
         let camera = self.space.camera();
@@ -200,12 +198,10 @@ impl<'a> Setting<'a> {
             Symbol::Translate(c) => maybe(self.placement.map(|p| p.translate), c),
             Symbol::Rotate(c) => maybe(self.placement.map(|p| p.rotate), c),
             Symbol::Scale(c) => maybe(self.placement.map(|p| p.scale), c),
-            Symbol::Entry(matrix, row, column) if !self.own.is_empty() => {
-                MatrixFormula::new(matrix, self).entry(usize::from(row), usize::from(column)).value(self)
-            }
-            Symbol::Entry(matrix, row, column) => {
-                self.matrix(matrix).row(usize::from(row.min(3))).to_array()[usize::from(column.min(3))] + 0.0
-            }
+            Symbol::Entry(matrix, row, column) => match self.own {
+                Some((_, entry)) => entry(self, matrix, [row, column]),
+                None => self.matrix(matrix).row(usize::from(row.min(3))).to_array()[usize::from(column.min(3))] + 0.0,
+            },
             Symbol::Local(c) => maybe(self.local, c),
             Symbol::World(c) => maybe(self.point.map(|p| p.world), c),
             Symbol::View(c) => maybe(self.point.map(|p| p.view), c),

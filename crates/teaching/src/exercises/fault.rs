@@ -1,7 +1,8 @@
 //! The solution of a student with a known mistake in it. The first wrong line and its cause are to be found.
 //!
 //! A formula of the worked steps is miswritten, and all lines after it follow from that. Of these solutions, those are
-//! taken whose answer the judge explains by one known mistake, so a cause is never claimed that the judge wouldn't name.
+//! taken whose answer the judge explains by one known mistake. So a cause is never claimed that the judge wouldn't
+//! name.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;

@@ -173,8 +173,8 @@ impl Progress {
         steps.saturating_sub(usize::try_from(own).unwrap_or(usize::MAX))
     }
 
-    /// Records that the student has done the last steps of a solution with this number of steps to an ask, or has failed
-    /// to. With the numbers of a seed, only the first time counts.
+    /// Records that the student has done the last steps of a solution with this number of steps to an ask, or has
+    /// failed to. With the numbers of a seed, only the first time counts.
     pub fn stepped(&mut self, id: &str, seed: u64, ask: &str, steps: u32, right: bool) {
         if self.of(id).seed != seed {
             self.begin(id, seed);

@@ -1,6 +1,6 @@
 //! The controls for screen readers. In a browser they would find only a canvas, because eframe drops the tree that egui
-//! builds for AccessKit. This plugin hands the tree to the page's script, which keeps an element for each control within
-//! the canvas. egui builds no tree before a user asks for one.
+//! builds for AccessKit. This plugin hands the tree to the page's script, which keeps an element for each control
+//! within the canvas. egui builds no tree before a user asks for one.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -14,7 +14,7 @@ use serde_json::{Map, Value, json};
 use crate::gui::app::web::call;
 
 thread_local! {
-    /// What a screen reader has done since the last frame.
+    /// The requests of a screen reader since the last frame.
     static REQUESTS: RefCell<Vec<ActionRequest>> = const { RefCell::new(Vec::new()) };
 }
 

@@ -267,7 +267,8 @@ fn rows(ui: &mut Ui, model: &Model, sheet: Sheet<'_>, (step, is_to_do): (&Worked
     }
 }
 
-/// The solution of a student, if the exercise is about one. A click on the number of a line answers the question for it.
+/// The solution of a student, if the exercise is about one. A click on the number of a line answers the question for
+/// it.
 pub(super) fn faulty(ui: &mut Ui, model: &Model, learn: &mut Learn, sheet: Sheet<'_>) {
     let Some((fault, ask)) = sheet.exercise.fault().zip(sheet.exercise.asks.first()) else { return };
     let mut number = 0;

@@ -54,8 +54,6 @@ fn a_solution_is_wrong_from_one_line_on_and_the_judge_names_its_cause() {
             }
         }
     }
-    let few: Vec<_> = told.iter().filter(|(_, mistakes)| mistakes.len() < 2).collect();
-    println!("{few:?} of {told:?}");
     assert!(wrong.is_empty(), "{} {wrong:#?}", wrong.len());
     // Their answers are choices and cameras, and in 1-I two numbers that may only be exchanged.
     let without = ["0-5.3", "1-I", "canonical-camera", "match-picture", "place-camera", "predict-visible"];
