@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::fault::Fault;
 use super::follows::{Follows, Holds};
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
@@ -16,7 +15,7 @@ use super::{Free, textbook};
 use crate::camera::{Camera, ParameterKey, Parameters};
 use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::nature::Nature;
-use crate::exercises::mistakes::slip::{Slip, Slips};
+use crate::exercises::mistakes::slip::{Cause, Slip, Slips};
 use crate::figure::{Figure, Localized};
 use crate::inspect::Asked;
 use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
@@ -121,6 +120,21 @@ impl From<DVec3> for Fact {
     fn from(v: DVec3) -> Self {
         Self::Tuple(v.to_array().to_vec())
     }
+}
+
+/// A solution with a mistake.
+#[derive(Clone, Debug)]
+pub struct Fault {
+    /// The question that the student answered.
+    pub ask: Ask,
+    /// The student's steps.
+    pub steps: Vec<Worked>,
+    /// The number of the first wrong line, from 1. The lines of all steps count.
+    pub line: u32,
+    /// The cause, as the judge names it.
+    pub cause: Cause,
+    /// The cause and others that would have led to other numbers.
+    pub causes: Vec<Cause>,
 }
 
 /// A question of an exercise.

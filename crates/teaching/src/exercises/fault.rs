@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::answer::Answer;
-use super::exercise::{Ask, Exercise, Kind};
+use super::exercise::{Ask, Exercise, Fault, Kind};
 use super::judge::judge_answer;
 use super::value::Table;
 use super::worked::Worked;
@@ -18,21 +18,6 @@ use crate::exercises::mistakes::mistake::Mistake;
 use crate::exercises::mistakes::nature::Nature;
 use crate::exercises::mistakes::slip::{Cause, Slip, Slips};
 use crate::numbers::random::Random;
-
-/// A solution with a mistake.
-#[derive(Clone, Debug)]
-pub struct Fault {
-    /// The question that the student answered.
-    pub ask: Ask,
-    /// The student's steps.
-    pub steps: Vec<Worked>,
-    /// The number of the first wrong line, from 1. The lines of all steps count.
-    pub line: u32,
-    /// The cause, as the judge names it.
-    pub cause: Cause,
-    /// The cause and others that would have led to other numbers.
-    pub causes: Vec<Cause>,
-}
 
 /// The numbers of a seed for choices among mistakes.
 const STREAM: u64 = 0xfa17;

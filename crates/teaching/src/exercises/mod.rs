@@ -41,8 +41,7 @@ use std::sync::{Arc, LazyLock, OnceLock};
 
 pub use answer::{Answer, AnswerError, read_answer, uses_names};
 pub use beside::Beside;
-pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Kind, Reading, TOLERANCE, Unit};
-pub use fault::Fault;
+pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Fault, Kind, Reading, TOLERANCE, Unit};
 pub use follows::Holds;
 pub use judge::{Judged, judge_answer};
 pub use mistakes::diagnose::Diagnosis;
