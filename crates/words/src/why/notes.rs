@@ -171,10 +171,20 @@ fn command<'a>(text: &mut String, rest: &'a str) -> &'a str {
         "frac" => {
             let (above, rest) = argument(rest);
             let (below, rest) = argument(rest);
-            let held =
-                |part: &str| if part.contains([' ', '+', '−']) { format!("({part})") } else { part.to_owned() };
             text.push_str(&format!("{}/{}", held(&plain(above)), held(&plain(below))));
             return rest;
+        }
+        "sqrt" => {
+            let (under, rest) = argument(rest);
+            text.push_str(&format!("√{}", held(&plain(under))));
+            return rest;
+        }
+        // Written as a power.
+        "circ" => {
+            if text.ends_with('^') {
+                text.pop();
+            }
+            text.push('°');
         }
         "begin" | "end" => {
             text.push(if name == "begin" { '[' } else { ']' });
@@ -184,14 +194,29 @@ fn command<'a>(text: &mut String, rest: &'a str) -> &'a str {
         "|" => text.push('‖'),
         "cdot" => text.push('·'),
         "times" => text.push('×'),
+        "alpha" => text.push('α'),
+        "beta" => text.push('β'),
+        "delta" => text.push('δ'),
         "theta" => text.push('θ'),
+        "lambda" => text.push('λ'),
+        "rho" => text.push('ρ'),
+        "Delta" => text.push('Δ'),
         "le" => text.push('≤'),
+        "ne" => text.push('≠'),
         "lfloor" => text.push('⌊'),
         "rfloor" => text.push('⌋'),
-        "tan" => text.push_str("tan"),
-        _ => text.push_str(if name == "," { " " } else { "" }),
+        "," | ";" | ":" | "!" => text.push(' '),
+        // Only of how it looks.
+        "mathbf" | "mathrm" | "mathit" | "left" | "right" => {}
+        // A function, such as tan.
+        _ => text.push_str(name),
     }
     rest
+}
+
+/// A part of a fraction or under a root, in brackets unless it's short.
+fn held(part: &str) -> String {
+    if part.contains([' ', '+', '−', '/']) { format!("({part})") } else { part.to_owned() }
 }
 
 /// The text in braces, and the text after them.
@@ -308,4 +333,21 @@ pub const fn of_step(step: Step) -> &'static str {
 pub fn of_stage(stage: Stage) -> &'static str {
     let of_it = |note: &&Note| note.id.strip_prefix("stage-") == Some(stage.name());
     notes(Lang::En).iter().find(of_it).map(|note| note.id).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::plain;
+
+    #[test]
+    fn a_formula_in_a_line_loses_none_of_its_signs() {
+        for (latex, line) in [
+            (r"F \tan \frac{\theta}{2}", "F tan θ/2"),
+            (r"0.8 \cdot \tan(40^\circ/2)", "0.8 · tan(40°/2)"),
+            (r"\frac{-\frac{4}{7}}{\sqrt{17}/7}", "(−4/7)/(√17/7)"),
+            (r"\left(\alpha + \beta\right) \ne \mathbf{u}", "(α + β) ≠ u"),
+        ] {
+            assert_eq!(plain(latex), line);
+        }
+    }
 }

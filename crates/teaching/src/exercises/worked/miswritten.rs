@@ -76,13 +76,26 @@ fn changed(formula: &Formula) -> Vec<(String, Formula)> {
     found
 }
 
+/// True for an entry of a vector or a matrix, such as n_x.
+fn is_entry(symbol: &Formula) -> bool {
+    match symbol {
+        Formula::Symbol(symbol) => symbol.text().contains('_'),
+        Formula::Named(named) => named.text.contains('_'),
+        _ => false,
+    }
+}
+
 /// The ways in which steps are miswritten: one formula, or those of a vector alike, because a student who has one of
 /// them wrong has the others wrong.
 pub(in crate::exercises) fn all(steps: &[Worked]) -> Vec<Miswritten> {
     let (mut found, mut first) = (Vec::new(), 0);
     for step in steps {
         let rows: Vec<Vec<(String, Formula)>> = step.rows.iter().map(|row| changed(&row.formula)).collect();
-        let are_alike = |a: &usize, b: &usize| rows[*a].iter().map(|(c, _)| c).eq(rows[*b].iter().map(|(c, _)| c));
+        let is_of_vector = |k: usize| is_entry(&step.rows[k].symbol);
+        let are_alike = |a: &usize, b: &usize| {
+            let is_apart = a != b && !(is_of_vector(*a) && is_of_vector(*b));
+            !is_apart && rows[*a].iter().map(|(c, _)| c).eq(rows[*b].iter().map(|(c, _)| c))
+        };
         let lines: Vec<usize> = (0..rows.len()).collect();
         let runs: Vec<&[usize]> = lines.chunk_by(are_alike).collect();
         let apart = runs.iter().map(|run| lines.iter().copied().filter(|k| are_alike(k, &run[0])).collect());
