@@ -113,7 +113,7 @@ fn impossible_coordinates_are_refused_with_the_allowed_range() {
 fn ndc_beyond_infinity_are_those_of_a_point_behind_the_eye() {
     for (lang, behind, no_pixel) in [
         (Lang::En, "w < 0, so the point is behind the eye", "points behind the eye. Clipping stops those"),
-        (Lang::PtBr, "w < 0, e o ponto está atrás do olho", "pontos atrás do olho. O recorte os detém"),
+        (Lang::PtBr, "w < 0, logo o ponto está atrás do olho", "pontos atrás do olho. O recorte os detém"),
     ] {
         let mut window = window(lang, P);
         assert!(!window.says(behind));
@@ -176,7 +176,7 @@ fn behind_the_eye_and_in_its_plane_the_point_is_explained() {
     let (c, basis) = (camera.position(), camera.basis());
     for (lang, behind, in_plane, back) in [
         (Lang::En, "w < 0, so the point is behind the eye", "w = 0, so the point is in the plane of the eye", "Back"),
-        (Lang::PtBr, "w < 0, e o ponto está atrás do olho", "w = 0, e o ponto está no plano do olho", "Volta"),
+        (Lang::PtBr, "w < 0, logo o ponto está atrás do olho", "w = 0, logo o ponto está no plano do olho", "Volta"),
     ] {
         assert!(window(lang, P).says(back));
         let shown = window(lang, c + 2.0 * basis.n + basis.u);

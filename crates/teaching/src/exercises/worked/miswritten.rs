@@ -76,7 +76,7 @@ fn changed(formula: &Formula) -> Vec<(String, Formula)> {
     found
 }
 
-/// True for an entry of a vector or a matrix, such as n_x.
+/// True for an entry of a vector or a matrix, such as `n_x`.
 fn is_entry(symbol: &Formula) -> bool {
     match symbol {
         Formula::Symbol(symbol) => symbol.text().contains('_'),
