@@ -2,7 +2,7 @@
 //! folder takes them through [`for_folder`].
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use super::{disk, is_network, whole};
 use crate::figure::Figure;
@@ -49,13 +49,26 @@ pub fn for_figure_file(figure: &Figure, from: Option<&Path>, to: Option<&Path>) 
 /// The name of an existing file relative to a folder, with slashes. `None` if there's none, as on another disk, or if
 /// links of the system would lead elsewhere.
 fn relative(folder: &Path, file: &Path) -> Option<String> {
-    let (folder, whole) = (whole_folder(folder), whole(file));
+    let (folder, whole) = (without_steps_up(&whole_folder(folder)), without_steps_up(&whole(file)));
     let common = folder.components().zip(whole.components()).take_while(|(a, b)| a == b).count();
     let up = folder.components().skip(common).map(|_| "..".into());
     let down = whole.components().skip(common).map(|part| part.as_os_str().to_string_lossy());
     let name = up.chain(down).collect::<Vec<_>>().join("/");
     let same = |path: &Path| disk::canonical(path).ok();
-    (common > 0 && same(&folder.join(&name)).is_some_and(|path| Some(path) == same(&whole))).then_some(name)
+    (common > 0 && same(&folder.join(&name)).is_some_and(|path| Some(path) == same(file))).then_some(name)
+}
+
+/// A whole path with each `..` taken together with the folder before it, as far as names go.
+fn without_steps_up(path: &Path) -> PathBuf {
+    let mut shorter = PathBuf::new();
+    for part in path.components() {
+        if part == Component::ParentDir {
+            shorter.pop();
+        } else {
+            shorter.push(part);
+        }
+    }
+    shorter
 }
 
 fn moved(

@@ -110,7 +110,7 @@ mod tests {
     fn a_kept_operation_ends_with_the_camera_that_it_led_to_unless_it_is_written_again() {
         let figure = read::parse("[show]\noperation = \"azimuth=15\"\n").unwrap();
         let (text, _) = with_step("", "mine", &draft(), &figure).unwrap();
-        let step = "\n[[step]]\ntitle = \"Next\"\ntext = \"\"\n[step.camera]\nnear = 0.5\n";
+        let step = "\n[[step]]\ntitle = \"Next\"\ntext = \"Nearer.\"\n[step.camera]\nnear = 0.5\n";
         let next = parse(&format!("{text}{step}")).unwrap();
         assert!(next.steps[1].figure.show.operations.is_empty());
         let mut nearer = figure.clone();
