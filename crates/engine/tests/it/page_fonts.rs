@@ -34,7 +34,7 @@ fn the_page_has_the_same_letters_and_all_that_the_program_writes() {
     }
     let read = |folder: &str, name: &str| std::fs::read(root.join(folder).join(name)).unwrap();
     // Code and columns of numbers use few characters. Missing ones are taken from the other font.
-    let fonts = [("crates/engine/fonts", "DejaVuSans.ttf", 430), ("assets/fonts", "DejaVuSansMono.ttf", 110)];
+    let fonts = [("crates/engine/fonts", "DejaVuSans.ttf", 520), ("assets/fonts", "DejaVuSansMono.ttf", 110)];
     // Those of mathematics have only lost their instructions, and the bold one letters that no vector has.
     let of_mathematics = [("Main-Regular", 200), ("Math-Italic", 80), ("Main-Bold", 100)];
     let of_mathematics =
