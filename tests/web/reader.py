@@ -1,9 +1,13 @@
 """What a screen reader has of the page: Chromium's accessibility tree and its actions, and nothing of what is drawn."""
 
-import json
+import time
 
 from browser import wait
 from courses import texts
+
+
+def disabled(node):
+    return any(told["name"] == "disabled" and told["value"]["value"] for told in node.get("properties", []))
 
 
 class Reader:
@@ -33,7 +37,17 @@ class Reader:
         self.page.do("Runtime.callFunctionOn", objectId=control, functionDeclaration=function, arguments=[{"value": one} for one in given])
 
     def press(self, role, name):
-        self.do(wait(lambda: self.there(role, name), f"{role} {name}"), "function() { this.click(); }")
+        """Presses a control that has stayed the same for a moment, as nobody is faster."""
+        before = None
+
+        def able():
+            nonlocal before
+            node = self.there(role, name)
+            found = node and not disabled(node) and node["backendDOMNodeId"]
+            same, before = found and found == before, found
+            return same and node or time.sleep(0.2)
+
+        self.do(wait(able, f"{role} {name}"), "function() { this.click(); }")
 
     def write(self, node, text):
         self.do(node, "function(text) { this.value = text; this.dispatchEvent(new Event('change', { bubbles: true })); }", text)
@@ -47,6 +61,6 @@ class Reader:
             self.write(node, text)
         for place in range(len(entries)):
             button = lambda: [node for name, node in self.all("button") if name.startswith("Check: ")][place]
-            wait(lambda: "disabled" not in json.dumps(button()), "the button of the question")
+            wait(lambda: not disabled(button()), "the button of the question")
             self.do(button(), "function() { this.click(); }")
         wait(lambda: self.there("StaticText", lambda text: text.startswith("✓ ")), "the verdict")

@@ -263,7 +263,9 @@ impl eframe::App for Page {
         self.app.show(ui);
         file_flow::open_dialog(ui.ctx(), &mut self.app.state.file_flow, frame);
         self.follow_window();
-        if !self.told && self.app.canvas.drawn().iter().any(|count| *count > 0) {
+        // A low frame has room for no picture, but it answers.
+        let is_drawn = self.app.canvas.drawn().iter().any(|count| *count > 0);
+        if !self.told && (is_drawn || self.app.canvas.places().next().is_none()) {
             self.told = true;
             interface::say_ready();
         }
