@@ -12,7 +12,7 @@ use serde_json::json;
 
 use crate::exercises::{self, Exercise};
 use crate::figure::Figure;
-use crate::lessons::{Lesson, Task};
+use crate::lessons::{Lesson, Step, Task};
 use crate::{FileError, own_files, read_at_most, sanitize};
 
 /// The most bytes of a page. This version's has less than half of that.
@@ -91,13 +91,17 @@ pub fn without_files<'a>(figures: impl IntoIterator<Item = &'a Figure>) -> Resul
 pub fn package(page: String, lesson: &Lesson, opened: &str, course: Course<'_>) -> Result<Vec<u8>, FileError> {
     without_files(lesson.steps.iter().map(|step| &*step.figure))?;
     let (title, lang, pass) = course;
+    let (steps, questions) = (&lesson.steps, questions_of(&lesson.steps));
+    let before = &steps[..steps.len().saturating_sub(1)];
     let json = json!({
         "title": title,
         "lang": lang,
         "pass": pass,
         "lesson": opened,
         "steps": lesson.steps.len(),
-        "questions": questions(lesson),
+        "questions": questions,
+        // The number of those in the last step.
+        "last": questions.len() - questions_of(before).len(),
     });
     let fill = |text: &str| text.replace("@LANG@", lang).replace("@TITLE@", &escaped(title));
     let parts: [(&str, Vec<u8>); 5] = [
@@ -110,10 +114,10 @@ pub fn package(page: String, lesson: &Lesson, opened: &str, course: Course<'_>) 
     zip::stored(&parts).ok_or(FileError::TooLarge(MAX_ZIP_BYTES))
 }
 
-/// The questions of a lesson, in its order, as `ID:SEED/NAME`.
-fn questions(lesson: &Lesson) -> Vec<String> {
+/// The questions of steps, in their order, as `ID:SEED/NAME`.
+fn questions_of(steps: &[Step]) -> Vec<String> {
     let mut all = Vec::new();
-    for step in &lesson.steps {
+    for step in steps {
         let (id, exercise): (&str, Exercise) = match &step.task {
             Some(Task::Question(entry)) => (&entry.id, entry.exercise(0, &Default::default())),
             Some(Task::Exercise { id, seed }) => match exercises::entry(id) {

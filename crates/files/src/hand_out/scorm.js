@@ -100,6 +100,8 @@
       // Those of an earlier visit count, even if the page has forgotten them.
       if (place >= 0 && state.marks[place] === '-') {
         state.marks = state.marks.slice(0, place) + (told.right && told.first ? '1' : '0') + state.marks.slice(place + 1);
+        // The last step has no way on. So a wrong answer there ends the lesson too.
+        state.done ||= state.step === course.steps && course.last > 0 && !state.marks.slice(-course.last).includes('-');
         report();
       }
     } else if (told.event === 'finished' && !state.done) {

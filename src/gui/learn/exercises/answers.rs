@@ -313,19 +313,23 @@ fn sign_field(ui: &Ui, rect: egui::Rect, right: bool, broken: bool) {
     ui.painter().galley(place.min, galley, color);
 }
 
-/// One of several. Chosen by name, so that it's the same in every language.
+/// One of several. Chosen by name, so that it's the same in every language. Sentences stand below one another.
 fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut String) -> Typing {
+    const WORD: usize = 24;
     let mut typing = Typing::default();
-    ui.horizontal_wrapped(|ui| {
-        for name in choices {
-            let response = prose::radio(ui, text == name, said::choice_of(lang, ask, name));
+    let words: Vec<&str> = choices.iter().map(|name| said::choice_of(lang, ask, name)).collect();
+    let are_words = words.iter().all(|word| word.chars().count() <= WORD);
+    let list = |ui: &mut Ui| {
+        for (name, word) in choices.iter().zip(words) {
+            let response = prose::radio(ui, text == name, word);
             typing.in_focus |= response.has_focus();
             if response.clicked() {
                 text.clone_from(name);
             }
             typing.first.get_or_insert(response);
         }
-    });
+    };
+    if are_words { ui.horizontal_wrapped(list) } else { ui.vertical(list) };
     typing
 }
 
