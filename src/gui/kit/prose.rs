@@ -149,8 +149,8 @@ pub(in crate::gui) fn radio(ui: &mut Ui, is_chosen: bool, markdown: &str) -> Res
         ui.end_row();
     }
     let row = ui.horizontal_top(|ui| {
-        let button = ui.radio(is_chosen, "").accessible_name(line(markdown));
         ui.spacing_mut().item_spacing.x = 0.0;
+        let button = ui.radio(is_chosen, "").accessible_name(line(markdown));
         if fits {
             pieces(&set).for_each(|piece| piece.show(ui));
         } else {

@@ -188,7 +188,12 @@ fn on_fault(lang: Lang, fault: &Fault, ask: &Ask, judged: &Judged) -> String {
             text!(
                 lang,
                 fault_right,
-                line = ask.steps().iter().flat_map(|step| in_dollars(lang, step)).collect::<String>()
+                line = ask
+                    .steps()
+                    .iter()
+                    .flat_map(|step| in_dollars(lang, step))
+                    .map(|line| format!("\n\n${line}$"))
+                    .collect::<String>()
             )
         }
         Answer::Numbers { entries, .. } => {

@@ -329,7 +329,11 @@ fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut Str
             typing.first.get_or_insert(response);
         }
     };
-    if are_words { ui.horizontal_wrapped(list) } else { ui.vertical(list) };
+    if are_words {
+        ui.horizontal_wrapped(list)
+    } else {
+        ui.vertical(list)
+    };
     typing
 }
 
