@@ -244,12 +244,12 @@ fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
     }
     let _ = writeln!(text, "\n{}:", t.asked);
     for ask in &exercise.asks {
-        let (asked, kind) = (texts::ask(lang, exercise, ask), texts::kind(lang, ask));
-        let _ = writeln!(text, "  {:<12} {} ({kind})", ask.name, plain(&asked));
+        let [asked, kind] = [texts::ask(lang, exercise, ask), texts::kind(lang, ask)].map(|text| plain(&text));
+        let _ = writeln!(text, "  {:<12} {asked} ({kind})", ask.name);
     }
     if with_solution {
         for (ask, steps) in exercise.asks.iter().zip(exercise.new_steps()) {
-            let _ = writeln!(text, "\n{} = {}", ask.name, sheet_of::answer(lang, ask));
+            let _ = writeln!(text, "\n{} = {}", ask.name, plain(&sheet_of::answer(lang, ask)));
             for step in &steps {
                 let step = texts::step(lang, exercise, step, DIGITS);
                 let _ = writeln!(text, "  {}", plain(&step).replace('\n', "\n  "));
@@ -383,7 +383,7 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
             (false, 1) => words.wrong.to_owned(),
             (false, all) => format!("{} ({})", words.wrong, said::right_of(lang, right, all)),
         };
-        let _ = writeln!(text, "{}: {share}  ({} {understood})", ask.name, words.understood);
+        let _ = writeln!(text, "{}: {share}  ({} {})", ask.name, words.understood, plain(&understood));
         if !verdict.reading.is_empty() {
             let _ = writeln!(text, "  {}: {}", t.read_as, texts::reading(lang, verdict.reading));
         }

@@ -69,11 +69,11 @@ texts_with_values! {
     lands(lang, place: [f64; 2]): (pixel = lang.mark().tuple(&place.map(f64::floor), 5));
 }
 
-/// Markdown without its marks, and mathematics in a line.
+/// Markdown without its marks, and mathematics in a line, also if it had one of its own.
 pub fn plain(markdown: &str) -> String {
     let part =
         |(k, part): (usize, &str)| if k % 2 == 1 { crate::why::notes::plain(part) } else { part.replace("**", "") };
-    markdown.split('$').enumerate().map(part).collect()
+    markdown.replace("\n\n$$", " $").replace("$$", "$").split('$').enumerate().map(part).collect()
 }
 
 /// An exercise's identifier with the seed of its numbers, or the remark that they're the same for everybody.
