@@ -205,31 +205,6 @@ fn on_a_telephone_the_menus_are_in_one_and_everything_in_the_bar_is_on_the_scree
 }
 
 #[test]
-fn in_a_window_held_in_the_hand_there_is_one_view_and_a_panel_comes_from_below() {
-    for size in [[360.0, 740.0], [820.0, 1180.0]] {
-        let mut window = Window::new(Lang::En);
-        let t = texts(Lang::En);
-        window.harness.set_size(size.into());
-        window.run();
-        let views = |window: &mut Window| window.app_mut().canvas.places().map(|(view, _)| view).collect::<Vec<_>>();
-        assert_eq!(views(&mut window), [View::Image]);
-        window.click("World");
-        assert_eq!(views(&mut window), [View::World]);
-        // Whether it's open already or not.
-        window.app_mut().state.model.settings.panels_mut().show(Side::Left);
-        window.run();
-        let (_, view) = window.app_mut().canvas.places().next().expect("a view");
-        let tab = window.harness.get_by_label(t.camera_tab).rect();
-        assert!(tab.min.y > view.max.y && tab.height() >= 44.0, "{tab:?} {view:?}");
-        assert!(view.height() > 100.0 && view.width() > 0.9 * size[0], "{view:?}");
-        for name in [t.parameters_panel, t.numbers_panel, t.undo] {
-            let switch = window.harness.get_by_role_and_label(Role::Button, name).rect();
-            assert!(switch.width() >= 44.0 && switch.height() >= 44.0, "{name}: {switch:?}");
-        }
-    }
-}
-
-#[test]
 fn the_theme_is_that_of_the_pictures_and_of_the_window() {
     let mut window = Window::new(Lang::En);
     assert_eq!(window.harness.ctx.theme(), egui::Theme::Light);

@@ -5,6 +5,7 @@
 use camera_lab::exercises::{Expected, FAULT};
 use camera_lab_words::Lang;
 use camera_lab_words::learn::{exercise_window, exercises as said};
+use eframe::egui::Rect;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 
@@ -14,12 +15,12 @@ use super::exercises::{made, working_on};
 fn a_line_is_marked_by_a_click_and_then_the_cause_is_asked() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = exercise_window::texts(lang);
-        let mut window = working_on("window", 3, lang);
+        let mut window = working_on("view-matrix", 0, lang);
         window.harness.get_by_label(t.find_fault).click();
         window.run();
-        let id = format!("window{FAULT}");
+        let id = format!("view-matrix{FAULT}");
         assert_eq!(window.state().learn.exercises.open.as_ref().unwrap().id, id);
-        let (_, exercise) = made(&id, 3);
+        let (_, exercise) = made(&id, 0);
         let (fault, asks) = (exercise.fault().unwrap(), &exercise.asks);
         let check =
             |k: usize| exercise_window::of_ask(t.check, &said::ask(lang, &exercise, &asks[k]).replace("**", ""));
@@ -40,13 +41,18 @@ fn a_line_is_marked_by_a_click_and_then_the_cause_is_asked() {
         let Expected::Choice(right, ..) = asks[1].expected() else { panic!("a choice") };
         let name = char::from(b'a' + u8::try_from(*right).unwrap()).to_string();
         let cause = camera_lab_words::why::notes::line(said::choice_of(lang, &asks[1], &name));
-        window.harness.get_by_role_and_label(Role::RadioButton, &cause).click();
+        // Sentences, one below the other.
+        let mut places: Vec<_> = window.harness.get_all_by_role(Role::RadioButton).map(|radio| radio.rect()).collect();
+        places.sort_by(|a, b| a.top().total_cmp(&b.top()));
+        let apart = |pair: &[Rect]| (0.0..30.0).contains(&(pair[1].top() - pair[0].bottom()));
+        assert!(places.len() > 1 && places.windows(2).all(apart), "{places:?}");
+        window.harness.get_by_role_and_label(Role::RadioButton, &cause).click_accesskit();
         window.run();
-        window.harness.get_by_label(&check(1)).click();
+        window.harness.get_by_label(&check(1)).click_accesskit();
         window.run();
         assert_eq!(verdict(&window, "cause"), Some(true));
         window.harness.get_by_label(t.solve_yourself).click();
         window.run();
-        assert_eq!(window.state().learn.exercises.open.as_ref().unwrap().id, "window");
+        assert_eq!(window.state().learn.exercises.open.as_ref().unwrap().id, "view-matrix");
     }
 }

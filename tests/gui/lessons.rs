@@ -39,7 +39,7 @@ pub(crate) fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
 }
 
 /// The same with the first step. Its pictures come whenever they are ready, for a test that only measures the panels.
-fn measured(lesson: usize) -> Window {
+pub(crate) fn measured(lesson: usize) -> Window {
     let mut window = playing(lesson, 0, Lang::En);
     window.app_mut().state.model.settings.reduce_motion = true;
     window.app_mut().canvas.patience = Some(Duration::ZERO);

@@ -28,6 +28,7 @@ mod frames;
 mod gallery;
 mod guide_pictures;
 mod hand_out;
+mod handheld;
 mod heavy;
 mod homogeneous;
 mod keyboard;

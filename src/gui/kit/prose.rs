@@ -117,7 +117,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, markdown: &str) {
         } else if in_line {
             mathematics::inline(ui, latex, &font, ui.visuals().text_color());
         } else {
-            mathematics::show(ui, latex, &plain(latex), font.size);
+            displayed(ui, latex, font.size);
         }
     };
     ui.scope(|ui| {
@@ -125,6 +125,22 @@ pub(in crate::gui) fn show(ui: &mut Ui, markdown: &str) {
         ui.spacing_mut().interact_size.y = 0.0;
         CommonMarkViewer::new().render_math_fn(Some(&set)).show(ui, &mut cache, &with_bold(&with_symbols(markdown)));
     });
+}
+
+/// A formula on a line of its own. In a narrow panel its parts stand below one another, and a wide part is smaller.
+fn displayed(ui: &mut Ui, latex: &str, size: f32) {
+    const BETWEEN: &str = r"\quad";
+    let room = ui.max_rect().width();
+    let width = |latex: &str, size| mathematics::Formula::new(ui, latex, &plain(latex), size).size().x;
+    let all = width(latex, size);
+    if all > room && latex.contains(BETWEEN) {
+        for part in latex.split(BETWEEN) {
+            displayed(ui, part, size);
+            ui.add_space(size);
+        }
+    } else {
+        mathematics::show(ui, latex, &plain(latex), size * (room / all).clamp(0.6, 1.0));
+    }
 }
 
 /// A short text in a row of other things. Formulas and bold words are set.
@@ -148,19 +164,22 @@ pub(in crate::gui) fn radio(ui: &mut Ui, is_chosen: bool, markdown: &str) -> Res
     if fits && width > ui.available_size_before_wrap().x {
         ui.end_row();
     }
-    let row = ui.horizontal_top(|ui| {
-        ui.spacing_mut().item_spacing.x = 0.0;
+    let words = |ui: &mut Ui| {
+        // As for a button with its text, which isn't wider than its circle.
+        let height = ui.spacing().interact_size.y;
+        (ui.spacing_mut().interact_size.y, ui.spacing_mut().item_spacing.x) = (0.0, 0.0);
         let button = ui.radio(is_chosen, "").accessible_name(line(markdown));
+        ui.spacing_mut().interact_size.y = height;
         if fits {
             pieces(&set).for_each(|piece| piece.show(ui));
         } else {
             show(ui, markdown);
         }
         button
-    });
+    };
+    let row = if fits { ui.horizontal(words) } else { ui.horizontal_top(words) };
     // Above the words, which can be selected otherwise.
-    let words = row.response.rect.with_min_x(row.inner.rect.right());
-    let click = ui.interact(words, row.inner.id.with("words"), Sense::click());
+    let click = ui.interact(row.response.rect, row.inner.id.with("words"), Sense::click());
     if click.clicked() { click } else { row.inner }
 }
 
