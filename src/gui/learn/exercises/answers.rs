@@ -315,10 +315,10 @@ fn sign_field(ui: &Ui, rect: egui::Rect, right: bool, broken: bool) {
 
 /// One of several. Chosen by name, so that it's the same in every language. Sentences stand below one another.
 fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut String) -> Typing {
-    const WORD: usize = 24;
+    const SHORT: usize = 40;
     let mut typing = Typing::default();
     let words: Vec<&str> = choices.iter().map(|name| said::choice_of(lang, ask, name)).collect();
-    let are_words = words.iter().all(|word| word.chars().count() <= WORD);
+    let are_short = words.iter().all(|word| word.chars().count() <= SHORT);
     let list = |ui: &mut Ui| {
         for (name, word) in choices.iter().zip(words) {
             let response = prose::radio(ui, text == name, word);
@@ -329,7 +329,7 @@ fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut Str
             typing.first.get_or_insert(response);
         }
     };
-    if are_words {
+    if are_short {
         ui.horizontal_wrapped(list)
     } else {
         ui.vertical(list)
