@@ -156,7 +156,7 @@ fn another_page_and_impossible_values_are_refused() {
     assert!(!bench.names().contains(&"out.zip".to_owned()));
 }
 
-/// The page that a lecturer hands out opens with their lesson, in place of what it opened with before.
+/// The page that a lecturer hands out opens with their lesson, also if it opened with another before.
 #[test]
 fn a_page_for_students_opens_a_lesson() {
     let bench = Bench::new("handed-out");

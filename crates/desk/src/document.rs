@@ -144,7 +144,11 @@ impl Document {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let named = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let mut figure = Figure::of_preset(Preset::Empty);
-        figure.scene.objects.push(ObjectSpec { segments: 32, ..ObjectSpec::new(name, Shape::Mesh { path: named }) });
+        figure.scene.objects.push(ObjectSpec {
+            segments: 32,
+            outline: true,
+            ..ObjectSpec::new(name, Shape::Mesh { path: named })
+        });
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut files = FigureFiles::new(folder, FileAccess::of(path, true, false));
         let scene = scene_of(&figure, &mut |wanted| files.read(wanted), &Progress::default());

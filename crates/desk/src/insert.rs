@@ -19,7 +19,7 @@ impl Model {
         let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
         let name = if stem.is_empty() { scenes::texts(self.settings.lang).shape_mesh } else { stem }.to_owned();
         // A mesh has its own size, so it stays as modelled.
-        self.insert(ObjectSpec { segments: 32, ..ObjectSpec::new(name, Shape::Mesh { path }) });
+        self.insert(ObjectSpec { segments: 32, outline: true, ..ObjectSpec::new(name, Shape::Mesh { path }) });
     }
 
     /// Adds an object to the selected group, or to none, and selects it.

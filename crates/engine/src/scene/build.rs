@@ -170,10 +170,12 @@ impl MeshMaker<'_, '_> {
                 }
                 None => (Arc::clone(&part.mesh), ObjectPaint::Solid(part_color)),
             };
+            let mesh = if placed.spec.outline { self.outlined(path, k, mesh) } else { mesh };
             let part_name = if part.name.is_empty() { (k + 1).to_string() } else { part.name.clone() };
             scene.objects.push(Object {
                 part_of: (parts.len() > 1).then(|| Arc::from(name.as_str())),
                 two_sided: part.two_sided,
+                outline: placed.spec.outline.then(|| self.colors.edge_style()),
                 ..Object::new(
                     if parts.len() == 1 { name.clone() } else { format!("{name}/{part_name}") },
                     mesh,
@@ -183,6 +185,26 @@ impl MeshMaker<'_, '_> {
             });
         }
         Ok(())
+    }
+
+    /// A part of a mesh file, with the adjacency for its outline. The corners of a texture double vertices too, so faces
+    /// only meet in a crease if they aren't in one plane.
+    fn outlined(&mut self, path: &str, part: usize, mesh: Arc<Mesh>) -> Arc<Mesh> {
+        /// cos 20°.
+        const FLAT: f64 = 0.94;
+        let known = self.files.outlined.get(&(path.to_owned(), part));
+        if let Some((_, outlined)) = known.filter(|(plain, _)| Arc::ptr_eq(plain, &mesh)) {
+            return Arc::clone(outlined);
+        }
+        let mut adjacency = Adjacency::of(&mesh.positions, &mesh.triangles);
+        let Adjacency { planes, edges } = &mut adjacency;
+        for edge in edges {
+            let [a, b] = edge.faces.map(|face| planes[face as usize].truncate());
+            edge.crease &= a.dot(b) < FLAT * a.length() * b.length();
+        }
+        let outlined = Arc::new(Mesh { adjacency, ..Mesh::clone(&mesh) });
+        self.files.outlined.insert((path.to_owned(), part), (mesh, Arc::clone(&outlined)));
+        outlined
     }
 
     /// The texture of an object, and how it's sampled: that of the figure, else its own. If it can't be

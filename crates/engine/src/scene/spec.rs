@@ -233,6 +233,8 @@ pub struct ObjectSpec {
     pub scale: DVec3,
     /// Colour; `None` means the theme's.
     pub color: Option<Rgba>,
+    /// A mesh shows its silhouette and its creases, as the program's own solids do.
+    pub outline: bool,
     /// Segments of curved shapes, sides of a prism, cells of a grid; 3 … 512.
     pub segments: u32,
     /// Its texture; `None` means that of its mesh file, if it has one.
@@ -262,6 +264,7 @@ impl ObjectSpec {
             rotate: DVec3::ZERO,
             scale: DVec3::ONE,
             color: None,
+            outline: false,
             segments: DEFAULT_SEGMENTS,
             texture: None,
             wrap: None,

@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 
 use camera_lab_engine::appearance::{Rgba, Style, Theme};
 use camera_lab_engine::scene::{
-    Mesh, MeshError, MeshFiles, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, Wanted,
-    build_with, no_files, primitives,
+    Mesh, MeshError, MeshFiles, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape,
+    TextureSource, Wanted, build_with, no_files, primitives,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -221,5 +221,30 @@ fn polygons_have_the_counts_areas_and_bounds_of_another_reader() {
         assert_eq!(faces().count(), triangles, "{text}");
         assert!((found - area).abs() < 1e-12, "{found} is not {area}\n{text}");
         assert_eq!(bounds, [DVec3::ZERO, DVec3::from_array(most)], "{text}");
+    }
+}
+
+/// A box of triangles, as every program writes it: its diagonals aren't drawn, nor are the borders of its texture.
+#[test]
+fn an_outline_has_the_creases_of_a_solid_and_nothing_else() {
+    let faces = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"];
+    let corners = (0..8).map(|i| format!("v {} {} {}\nvt {} 0\n", i >> 2, i >> 1 & 1, i & 1, i % 3));
+    let mut text: String = corners.collect();
+    for (k, face) in faces.iter().enumerate() {
+        let [a, b, c, d] = std::array::from_fn(|i| face.split(' ').nth(i).unwrap());
+        let t = k + 1;
+        let _ = write!(text, "f {a}/{t} {b}/{t} {c}/{t}\nf {a}/8 {c}/7 {d}/8\n");
+    }
+    for texture in [None, Some(TextureSource::Chequer)] {
+        let mut spec = spec("m.obj");
+        let files = folder([("m.obj", text.as_bytes())]);
+        spec.objects[0].texture = texture;
+        assert!(only(&load_spec(&spec, &files).unwrap()).outline.is_none());
+        spec.objects[0].outline = true;
+        spec.objects.push(ObjectSpec::new("ours", Shape::Cylinder));
+        let scene = load_spec(&spec, &files).unwrap();
+        let solid = &scene.objects[0];
+        assert_eq!(solid.outline, scene.objects[1].outline);
+        assert_eq!(solid.mesh.adjacency.edges.iter().filter(|edge| edge.crease).count(), 12);
     }
 }

@@ -35,6 +35,9 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model, form: &mut SceneForm, ind
     }
     texture::ui(ui, model, form, index);
     segments(ui, form, index);
+    if let ObjectSpec { shape: Some(Shape::Mesh { .. }), outline, .. } = &mut form.scene.objects[index] {
+        ui.checkbox(outline, t.outline).explained(t.outline_hint);
+    }
     data(ui, model, form, index);
     ui.add_space(3.0);
     ui.horizontal(|ui| {

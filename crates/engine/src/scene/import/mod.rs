@@ -74,6 +74,8 @@ pub struct MeshFiles {
     pub(crate) mapped: BTreeMap<(&'static str, u32), UvMesh>,
     /// Parts of mesh files with their texture coordinates, by the file and the place in it.
     pub(crate) textured: BTreeMap<(String, usize), UvMesh>,
+    /// Parts of mesh files, by the same, without and with the adjacency for an outline.
+    pub(crate) outlined: BTreeMap<(String, usize), (Arc<Mesh>, Arc<Mesh>)>,
     /// The pictures that figures name.
     pub(in crate::scene) textures: Textures,
     /// The file of the photograph under the image.
@@ -123,6 +125,7 @@ impl MeshFiles {
     /// Takes a file over that [`read`] has read elsewhere.
     pub fn insert(&mut self, path: &str, imported: Arc<Imported>) {
         self.textured.retain(|(known, _), _| known != path);
+        self.outlined.retain(|(known, _), _| known != path);
         self.known.insert(path.to_owned(), imported);
     }
 
@@ -130,6 +133,7 @@ impl MeshFiles {
     pub(crate) fn retain(&mut self, is_used: impl Fn(&str) -> bool) {
         self.known.retain(|path, _| is_used(path));
         self.textured.retain(|(path, _), _| is_used(path));
+        self.outlined.retain(|(path, _), _| is_used(path));
     }
 }
 

@@ -88,6 +88,7 @@ fn scene() -> impl Strategy<Value = SceneSpec> {
                     scale: DVec3::select(scale.cmpeq(DVec3::ZERO), DVec3::ONE, scale),
                     color: color.map(|[r, g, b, a]| Rgba { r, g, b, a }),
                     segments,
+                    outline: child,
                 })
                 .collect(),
             lights: lights.into_iter().filter(|l| l.vector != DVec3::ZERO).collect(),

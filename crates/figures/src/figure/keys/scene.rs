@@ -76,6 +76,7 @@ fn object(keys: &mut Keys<'_>, o: &mut ObjectSpec) {
         section.refuse("scale", Allowed::NonZeroScale);
     }
     keys.option("color", &COLOR, &mut o.color);
+    keys.switch("outline", &mut o.outline);
     let usual = Shape::usual_segments(o.shape.as_ref());
     keys.rare("segments", &usual, &integer_in([MIN_SEGMENTS, MAX_SEGMENTS].map(i64::from)), &mut o.segments);
     let texture = |s: &mut Section<'_>| s.get("texture", &TEXT).map(|text| TextureSource::of(&text));
