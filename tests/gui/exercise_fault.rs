@@ -20,7 +20,7 @@ fn a_line_is_marked_by_a_click_and_then_the_cause_is_asked() {
         window.run();
         let id = format!("view-matrix{FAULT}");
         assert_eq!(window.state().learn.exercises.open.as_ref().unwrap().id, id);
-        let (_, exercise) = made(&id, 0);
+        let (_, exercise) = made(&id, 1);
         let (fault, asks) = (exercise.fault().unwrap(), &exercise.asks);
         let check =
             |k: usize| exercise_window::of_ask(t.check, &said::ask(lang, &exercise, &asks[k]).replace("**", ""));
@@ -32,9 +32,9 @@ fn a_line_is_marked_by_a_click_and_then_the_cause_is_asked() {
         for (line, is_right) in [(wrong, false), (fault.line, true)] {
             // The question for the cause would give the line away.
             assert!(window.harness.query_by_label(&check(1)).is_none());
-            window.harness.get_by_role_and_label(Role::Button, &mark(line)).click();
+            window.harness.get_by_role_and_label(Role::Button, &mark(line)).click_accesskit();
             window.run();
-            window.harness.get_by_label(&check(0)).click();
+            window.harness.get_by_label(&check(0)).click_accesskit();
             window.run();
             assert_eq!(verdict(&window, "line"), Some(is_right));
         }

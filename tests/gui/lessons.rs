@@ -64,16 +64,16 @@ fn the_question_of_a_lesson_that_is_closed_leaves_the_list_of_exercises() {
 
 #[test]
 fn a_question_is_answered_before_the_next_step_is_shown() {
-    let mut window = playing(16, 6, Lang::En);
+    let mut window = playing(16, 7, Lang::En);
     // A question without a picture that answers it.
     let lesson = &shipped()[16].lesson;
-    let Some(Task::Question(entry)) = &lesson.steps[6].task else { panic!("a question") };
+    let Some(Task::Question(entry)) = &lesson.steps[7].task else { panic!("a question") };
     let exercise = entry.exercise(0, &Default::default());
     let ask = &exercise.asks[0];
     // Page down names the task to be done first.
     window.harness.key_press(Key::PageDown);
     window.run();
-    assert_eq!(step(&window), 6);
+    assert_eq!(step(&window), 7);
     let right = exercise_sheet::answer(Lang::En, ask);
     window.harness.get_by_label(&right).click();
     window.run();
@@ -84,21 +84,21 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
     for _ in 0..200 {
         window.harness.step();
     }
-    assert_eq!(step(&window), 7);
-    assert_eq!(window.state().model.desk.shown.figure().camera, lesson.steps[7].figure.camera);
+    assert_eq!(step(&window), 8);
+    assert_eq!(window.state().model.desk.shown.figure().camera, lesson.steps[8].figure.camera);
     assert!(!window.state().model.desk.can_undo(true), "the move is no change");
     // Back, and the question is still answered.
     window.harness.key_press(Key::PageUp);
     window.run();
-    assert_eq!(step(&window), 6);
+    assert_eq!(step(&window), 7);
     assert!(window.state().learn.lesson.as_ref().unwrap().is_done());
 }
 
 #[test]
 fn a_wrong_answer_gets_a_reason_in_both_languages() {
     for lang in [Lang::En, Lang::PtBr] {
-        let mut window = playing(16, 6, lang);
-        let Some(Task::Question(entry)) = &shipped()[16].lesson.steps[6].task else { panic!("a question") };
+        let mut window = playing(16, 7, lang);
+        let Some(Task::Question(entry)) = &shipped()[16].lesson.steps[7].task else { panic!("a question") };
         let exercise = entry.exercise(0, &Default::default());
         let ask = &exercise.asks[0];
         let mistake = &ask.own_mistakes[0];

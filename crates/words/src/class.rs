@@ -127,7 +127,10 @@ impl ClassReport {
         };
         let exercise = |(id, counts): &(String, Counts)| {
             let Counts { tried, solved, alone, mistakes } = counts;
-            json!({ "id": id, "solved": solved, "alone": alone, "tried": tried, "mistakes": counted(mistakes) })
+            let [without_help, with_help, not_yet] = self.class.who(id);
+            let who = json!({ "without_help": without_help, "with_help": with_help, "not_yet": not_yet });
+            let mistakes = counted(mistakes);
+            json!({ "id": id, "solved": solved, "alone": alone, "tried": tried, "who": who, "mistakes": mistakes })
         };
         let all = self.class.mistakes();
         let skipped = self.skipped.iter().map(|(file, reason)| json!({ "file": file, "reason": reason }));
@@ -171,6 +174,9 @@ impl ClassReport {
             let Counts { tried, solved, alone, mistakes } = &counts;
             let title = entry(&id).map_or(id.clone(), |entry| format!("{} ({id})", exercises::title(lang, entry)));
             let mut lines = vec![text!(lang, counts, tried, solved, alone)];
+            let names = [t.without_help, t.with_help, t.not_yet].into_iter().zip(self.class.who(&id));
+            let names = names.filter(|(_, who)| !who.is_empty());
+            lines.extend(names.map(|(label, who)| format!("{label}: {}", crate::sanitize::escaped(&who.join(", ")))));
             lines.extend(mistakes.iter().map(counted));
             sections.push((title, lines));
         }

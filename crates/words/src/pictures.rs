@@ -25,7 +25,7 @@ const fn of(t: &Texts) -> Labels {
             map_wrong out_of too_much_for_rays nothing outside cuts back_faces dropped outside_of no_stage
             with_w affine levels texels divided_first wrong no_difference not_split rounded reversed
             right_handed left_handed triangles goes_in comes_out not_all no_vanishing ideal beyond_image
-            behind_eye horizon epipolar epipole painted_over from_front world this_camera other_camera differ step_number samples
+            behind_eye in_eye_plane in_eye horizon epipolar epipole painted_over from_front world this_camera other_camera differ step_number samples
         }
         mark: t.lang.mark(),
         operations: [

@@ -94,8 +94,15 @@ impl Writer<'_> {
                 (fraction, Strength::Product)
             }
             Formula::Quotient(above, below) => {
-                let quotient = format!("{}/{}", self.at(above, Strength::Product), self.at(below, Strength::Atom));
-                (quotient, Strength::Product)
+                let mut above_text = self.at(above, Strength::Product);
+                // The number of a symbol may be a fraction itself.
+                if !matches!(**above, Formula::Product(_))
+                    && self.bare(above).0.contains('/')
+                    && !above_text.starts_with('(')
+                {
+                    above_text = format!("({above_text})");
+                }
+                (format!("{above_text}/{}", self.at(below, Strength::Atom)), Strength::Product)
             }
             Formula::Dot(a, b) if self.numbers.is_none() => {
                 let dot = if self.is_latex() {

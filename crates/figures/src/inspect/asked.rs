@@ -14,6 +14,8 @@ pub struct Asked {
     numbers: Vec<f64>,
     /// Numbers are asked for, be they telling or not.
     has_numbers: bool,
+    /// The points of the answers. All coordinates of one together tell, however short they are.
+    points: Vec<Vec<f64>>,
 }
 
 impl Asked {
@@ -28,6 +30,11 @@ impl Asked {
         self.numbers.extend(numbers.iter().copied().filter(tells));
     }
 
+    /// Adds points of an answer, with three coordinates or more each.
+    pub fn add_points(&mut self, points: impl IntoIterator<Item = Vec<f64>>) {
+        self.points.extend(points.into_iter().filter(|point| point.len() >= 3));
+    }
+
     /// True if nothing is asked for. Otherwise a page that prints nearly every number would answer, however short the
     /// answer is.
     pub fn is_empty(&self) -> bool {
@@ -39,7 +46,10 @@ impl Asked {
     pub fn hides(&self, quantities: &[Quantity], numbers: &[f64]) -> bool {
         let is_asked = |shown: &Quantity| self.quantities.iter().any(|asked| gives_away(*shown, *asked));
         let is_answer = |shown: &f64| self.numbers.iter().any(|asked| looks_like(*shown, *asked));
-        quantities.iter().any(is_asked) || numbers.iter().any(is_answer)
+        let is_point = |asked: &Vec<f64>| {
+            (3..=asked.len()).contains(&numbers.len()) && numbers.iter().zip(asked).all(|(a, b)| (a - b).abs() < 1e-6)
+        };
+        quantities.iter().any(is_asked) || numbers.iter().any(is_answer) || self.points.iter().any(is_point)
     }
 }
 
@@ -78,11 +88,13 @@ fn gives_away(shown: Quantity, asked: Quantity) -> bool {
                 _ => false,
             },
             Camera(ParameterKey::Position) | Ray(_, RayNumber::Origin) => {
-                matches!(shown, Camera(ParameterKey::Position) | Ray(_, RayNumber::Origin) | Matrix(View | InverseView))
+                let of_position =
+                    matches!(shown, Camera(ParameterKey::Position) | Ray(_, RayNumber::Origin) | Corner(_));
+                of_position || matches!(shown, Matrix(View | InverseView))
             }
             Axis(_) | Direction | Matrix(View | InverseView) => {
                 let of_axes = matches!(shown, Axis(_) | Direction | Matrix(View | InverseView | ViewProjection));
-                of_axes || matches!(shown, Ray(_, RayNumber::Direction))
+                of_axes || matches!(shown, Ray(_, RayNumber::Direction) | Corner(_))
             }
             Matrix(_) => matches!(shown, Matrix(Projection | InverseProjection | ViewProjection)),
             Window(_) | CameraSide(_) | Lens(_) | Camera(_) => {
@@ -125,6 +137,9 @@ mod tests {
         for shown in [PointNumber::World, PointNumber::View] {
             assert!(!asked.hides(&[point(shown)], &[]), "{shown:?}");
         }
+        let mut asked = Asked::default();
+        asked.add_points([vec![4.0, 15.0, 4.0, 1.0]]);
+        assert!(asked.hides(&[], &[4.0, 15.0, 4.0]) && !asked.hides(&[], &[4.0, 15.0, 5.0]));
         let mut asked = Asked::default();
         asked.add([Quantity::Matrix(ReportMatrix::View)], &[], "");
         assert!(asked.hides(&[Quantity::Axis(BasisAxis::U)], &[]));

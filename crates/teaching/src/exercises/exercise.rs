@@ -319,8 +319,10 @@ impl Ask {
             Expected::Computed(..) if self.places => Some(Quantity::Point(0, PointNumber::Inside)),
             Expected::Computed(..) | Expected::Choice(..) | Expected::Camera(..) => None,
         });
-        let numbers = expected.clone().filter(|_| !self.places).filter_map(Expected::table);
-        let numbers: Vec<f64> = numbers.flat_map(|table| table.entries).collect();
+        let tables: Vec<Table> = expected.clone().filter(|_| !self.places).filter_map(Expected::table).collect();
+        let points = tables.iter().filter(|table| table.columns > 1).map(Table::transposed);
+        asked.add_points(points.flat_map(|points| points.rows().map(<[f64]>::to_vec).collect::<Vec<_>>()));
+        let numbers: Vec<f64> = tables.into_iter().flat_map(|table| table.entries).collect();
         asked.add(quantities.chain(self.asks.iter().copied()), &numbers, statement);
     }
 

@@ -93,11 +93,27 @@ impl<'a> Way<'a> {
             Some((miswritten, answer, diagnosis))
         };
         let mut found: Vec<_> = miswritten::all(&self.steps).into_iter().filter_map(explained).collect();
+        let is_at_its_place = |(miswritten, _, diagnosis): &(Miswritten, Table, Diagnosis)| {
+            !is_of_axes(diagnosis.causes[0].mistake) || self.is_of_axes(miswritten[0].0)
+        };
+        if found.iter().any(is_at_its_place) {
+            found.retain(is_at_its_place);
+        }
         // One cause is better than one of several.
         if found.iter().any(|(.., diagnosis)| diagnosis.others.is_empty()) {
             found.retain(|(.., diagnosis)| diagnosis.others.is_empty());
         }
         found
+    }
+
+    /// True for a line that computes an axis, or what an axis comes from.
+    fn is_of_axes(&self, line: usize) -> bool {
+        let name = miswritten::names(&self.steps).nth(line).flatten().unwrap_or_default();
+        let is_long = name.starts_with('D') || name.starts_with('‖');
+        is_long
+            || name
+                .split_once('_')
+                .is_some_and(|(vector, _)| matches!(vector.trim_end_matches('\''), "u" | "v" | "n" | "a"))
     }
 
     /// Causes that don't explain an answer: those of this question before those of `all`.
@@ -119,6 +135,11 @@ impl<'a> Way<'a> {
         }
         others
     }
+}
+
+/// True for mistakes in a line that computes an axis. Elsewhere they only happen to give the same numbers.
+const fn is_of_axes(mistake: Mistake) -> bool {
+    matches!(mistake, Mistake::NReversed | Mistake::UReversed | Mistake::VReversed | Mistake::VupAsV)
 }
 
 /// True for a number that may be the same for every camera, and then has no line.

@@ -129,7 +129,8 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
     /// Digits of the numbers in the first step.
     const DIGITS: usize = 6;
     match &verdict.diagnosis {
-        _ if verdict.right || !verdict.carried.is_empty() => Vec::new(),
+        // On a fault each answer has its sentence.
+        _ if verdict.right || !verdict.carried.is_empty() || ask.fault.is_some() => Vec::new(),
         // The reason has been given.
         _ if verdict.numbers.as_ref().is_some_and(|own| own.instead.is_some()) => Vec::new(),
         Some(diagnosis) => exercises::hints(lang, ask, diagnosis).into_iter().map(str::to_owned).collect(),

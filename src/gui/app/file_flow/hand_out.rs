@@ -20,6 +20,12 @@ pub(in crate::gui) fn begin(ctx: &egui::Context, state: &mut State, what: HandOu
     if cfg!(target_arch = "wasm32") || !state.learn.save_text(&mut state.model) {
         return;
     }
+    let figures = state.learn.lesson.as_ref().map(|playing| playing.lesson.steps.iter().map(|step| &*step.figure));
+    let own = figures.map_or_else(|| without_files([state.model.desk.shown.figure()]), without_files);
+    if let Err(error) = own {
+        // Before anything is asked.
+        return state.model.say(camera_lab_desk::Message::File(PAGE_NAME.into(), error));
+    }
     let beside = std::env::current_exe().ok().map(|program| program.with_file_name(PAGE_NAME));
     let known = beside.into_iter().chain([state.sharing.page_file.clone()]).find(|page| read_page(page).is_ok());
     file_flow::ask(ctx, state, known.map_or(Purpose::Page(what), |page| Purpose::HandOut(what, page)));

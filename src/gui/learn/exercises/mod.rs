@@ -61,7 +61,8 @@ pub(in crate::gui) fn head(ui: &mut Ui, model: &Model, learn_state: &mut Learn) 
                 None => (format!("{id}{}", exercises::FAULT), t.find_fault),
             };
             if exercises::entry(&id).is_some() && ui.button(label).explained(t.find_fault_hint).clicked() {
-                learn_state.exercises.work_on(Chosen { id, seed });
+                // With other numbers, because the lines of one tell answers of the other.
+                learn_state.exercises.work_on(Chosen { id, seed: if is_family { seed ^ 1 } else { seed } });
             }
         }
         if learn_state.exercises.open.is_none() {

@@ -117,7 +117,8 @@ fn drag(
         }
         (Grip::End(..), Drawn::Origin | Drawn::Length) if response.clicked() => photograph.begin(at),
         // So does one at the origin, and the length starts there. Only the origin's own tool moves it.
-        (Grip::Origin, Drawn::Length) | (Grip::Origin | Grip::Length, Drawn::Line(_)) => {
+        // A length drawn along an edge doesn't move its end either.
+        (Grip::End(..) | Grip::Origin, Drawn::Length) | (Grip::Origin | Grip::Length, Drawn::Line(_)) => {
             new_line(photograph, &response, place, Some(at));
         }
         _ => {

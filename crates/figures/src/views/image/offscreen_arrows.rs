@@ -56,10 +56,15 @@ pub(in crate::views) fn in_image(drawing: &mut Drawing, request: &Request, palet
         let ends = [tail, tip].map(|p| [single(p.x), single(p.y), 1.0]);
         drawing.strokes.push(StrokeSet::line(ends.to_vec(), LineStyle { arrow: true, ..style }));
         let name = if look.name.is_empty() { String::new() } else { sanitize::escaped(look.name) };
+        let where_it_is = match request.camera.view_point(p) {
+            DVec3::ZERO => request.labels.in_eye,
+            view if view.z == 0.0 => request.labels.in_eye_plane,
+            _ => request.labels.behind_eye,
+        };
         let text = match (behind, name.is_empty()) {
             (false, _) => name,
-            (true, true) => request.labels.behind_eye.to_owned(),
-            (true, false) => format!("{name}: {}", request.labels.behind_eye),
+            (true, true) => where_it_is.to_owned(),
+            (true, false) => format!("{name}: {where_it_is}"),
         };
         if text.is_empty() {
             continue;
@@ -124,16 +129,23 @@ mod tests {
             named("A", DVec3::new(50.0, 0.0, 0.0)),
             named("B", DVec3::ZERO),
             named("C'", DVec3::new(-3.0, 1.0, 8.0)),
+            named("D", DVec3::new(-3.0, 1.0, 5.0)),
+            named("E", DVec3::new(0.0, 0.0, 5.0)),
         ];
         let figure = Figure { points, ..Figure::default() };
         let size = Size { width: 300, height: 300, scale: 1.0 };
         let camera = ahead(Projection::Perspective);
-        let labels: &'static Labels = Box::leak(Box::new(Labels { behind_eye: "behind the eye", ..Labels::default() }));
+        let labels: &'static Labels = Box::leak(Box::new(Labels {
+            behind_eye: "behind the eye",
+            in_eye_plane: "in its plane",
+            in_eye: "there",
+            ..Labels::default()
+        }));
         let request = Request::of(&figure, View::Image, &camera, &SharedScene::default(), labels, size);
         let drawing = frame(&request, None, &mut TimedPipeline::default()).drawing;
         let mut texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
         texts.sort_unstable();
-        assert_eq!(texts, ["A", "B", "C': behind the eye"]);
-        assert_eq!(drawing.strokes.iter().filter(|set| set.style.arrow).count(), 2);
+        assert_eq!(texts, ["A", "B", "C': behind the eye", "D: in its plane", "E: there"]);
+        assert_eq!(drawing.strokes.iter().filter(|set| set.style.arrow).count(), 4);
     }
 }

@@ -95,6 +95,10 @@ pub struct Labels {
     pub beyond_image: &'static str,
     /// For a point that has no image, because it's behind the eye.
     pub behind_eye: &'static str,
+    /// The same for a point in the plane through the eye that is parallel to the window.
+    pub in_eye_plane: &'static str,
+    /// The same for a point at the place of the eye.
+    pub in_eye: &'static str,
     /// The line of the vanishing points of horizontal directions.
     pub horizon: &'static str,
     /// The name of the line on which another image shows a pixel.

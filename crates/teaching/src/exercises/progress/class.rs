@@ -111,6 +111,20 @@ impl Class {
         ids.into_iter().map(|id| (id.to_owned(), of(id))).collect()
     }
 
+    /// The names of the students who tried an exercise: those who solved it without help, with help, and not yet.
+    pub fn who(&self, id: &str) -> [Vec<&str>; 3] {
+        let mut who = [const { Vec::new() }; 3];
+        for (name, student) in &self.students {
+            match student.exercises.get(id) {
+                Some(Work { alone: true, .. }) => who[0].push(name.as_str()),
+                Some(Work { solved: true, .. }) => who[1].push(name),
+                Some(Work { tried: true, .. }) => who[2].push(name),
+                _ => {}
+            }
+        }
+        who
+    }
+
     /// How many students made each mistake, in whatever exercise. The most frequent first.
     pub fn mistakes(&self) -> Vec<(String, usize)> {
         let of = |student: &Student| -> BTreeSet<String> {

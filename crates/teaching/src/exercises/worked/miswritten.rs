@@ -76,13 +76,23 @@ fn changed(formula: &Formula) -> Vec<(String, Formula)> {
     found
 }
 
-/// True for an entry of a vector or a matrix, such as `n_x`.
-fn is_entry(symbol: &Formula) -> bool {
+/// The name of a row, such as `n_x` or `D`.
+fn name(symbol: &Formula) -> Option<String> {
     match symbol {
-        Formula::Symbol(symbol) => symbol.text().contains('_'),
-        Formula::Named(named) => named.text.contains('_'),
-        _ => false,
+        Formula::Symbol(symbol) => Some(symbol.text()),
+        Formula::Named(named) => Some(named.text.to_owned()),
+        _ => None,
     }
+}
+
+/// The names of the rows of all steps.
+pub(in crate::exercises) fn names(steps: &[Worked]) -> impl Iterator<Item = Option<String>> + '_ {
+    steps.iter().flat_map(|step| &step.rows).map(|row| name(&row.symbol))
+}
+
+/// True for a length: nobody gives it a minus.
+fn is_length(symbol: &Formula) -> bool {
+    name(symbol).is_some_and(|name| name == "D" || name.starts_with('‖'))
 }
 
 /// The ways in which steps are miswritten: one formula, or those of a vector alike, because a student who has one of
@@ -91,7 +101,7 @@ pub(in crate::exercises) fn all(steps: &[Worked]) -> Vec<Miswritten> {
     let (mut found, mut first) = (Vec::new(), 0);
     for step in steps {
         let rows: Vec<Vec<(String, Formula)>> = step.rows.iter().map(|row| changed(&row.formula)).collect();
-        let is_of_vector = |k: usize| is_entry(&step.rows[k].symbol);
+        let is_of_vector = |k: usize| name(&step.rows[k].symbol).is_some_and(|name| name.contains('_'));
         let are_alike = |a: &usize, b: &usize| {
             let is_apart = a != b && !(is_of_vector(*a) && is_of_vector(*b));
             !is_apart && rows[*a].iter().map(|(c, _)| c).eq(rows[*b].iter().map(|(c, _)| c))
@@ -102,7 +112,8 @@ pub(in crate::exercises) fn all(steps: &[Worked]) -> Vec<Miswritten> {
         // v' and n' of a rotation are alike too.
         let groups = runs.iter().map(|run| run.to_vec()).chain(runs.windows(2).map(<[_]>::concat)).chain(apart);
         for group in groups.collect::<BTreeSet<Vec<usize>>>() {
-            for (change, _) in &rows[group[0]] {
+            let is_length = is_length(&step.rows[group[0]].symbol);
+            for (change, _) in rows[group[0]].iter().filter(|(change, _)| !(is_length && change == "-")) {
                 let of = |k: &usize| rows[*k].iter().find(|(other, _)| other == change);
                 found.extend(group.iter().map(|k| Some((first + k, of(k)?.1.clone()))).collect::<Option<Miswritten>>());
             }
@@ -140,17 +151,15 @@ pub(in crate::exercises) fn following(steps: &[Worked], miswritten: &[(usize, Fo
             };
             row.formula = other.unwrap_or(&row.formula).replaced(&with_wrong);
             let value = row.formula.value(&setting.clone().with_values(&wrong));
+            // Of what cancels, only rounding errors are left.
+            let value = if value.abs() < 1e-13 { 0.0 } else { value };
             if is_same(value, row.value) {
                 continue;
             }
-            let name = match row.symbol {
-                Formula::Symbol(symbol) => {
-                    wrong.push((symbol, value));
-                    symbol.text()
-                }
-                Formula::Named(of) => of.text.to_owned(),
-                _ => continue,
-            };
+            if let Formula::Symbol(symbol) = row.symbol {
+                wrong.push((symbol, value));
+            }
+            let Some(name) = name(&row.symbol) else { continue };
             named.push((name, row.value, value));
             row.value = value;
         }
