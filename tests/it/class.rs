@@ -37,6 +37,11 @@ fn of<'a>(report: &'a Value, id: &str) -> &'a Value {
     report["exercises"].as_array().unwrap().iter().find(|row| row["id"] == id).unwrap_or(&Value::Null)
 }
 
+/// The names of those who solved an exercise without help, with help, and not yet.
+fn who(without_help: &[&str], with_help: &[&str], not_yet: &[&str]) -> Value {
+    json!({ "without_help": without_help, "with_help": with_help, "not_yet": not_yet })
+}
+
 #[test]
 fn a_class_is_counted_from_progress_files_and_tables() {
     let bench = Bench::new("class");
@@ -52,10 +57,14 @@ fn a_class_is_counted_from_progress_files_and_tables() {
     bench.write("bia.csv", format!("\u{feff}{}", bia.to_csv().replace(',', ";")));
     let counted = report(&bench, &["one.toml", "bia.csv"]);
     assert_eq!((&counted["students"], &counted["skipped"]), (&json!(2), &json!([])));
-    let expected =
-        json!({ "id": "0-5.1", "solved": 0, "alone": 0, "tried": 2, "mistakes": [{ "code": "vup-as-v", "count": 2 }] });
+    let expected = json!({
+        "id": "0-5.1", "solved": 0, "alone": 0, "tried": 2, "who": who(&[], &[], &["Ana", "bia"]),
+        "mistakes": [{ "code": "vup-as-v", "count": 2 }],
+    });
     assert_eq!(*of(&counted, "0-5.1"), expected);
-    assert_eq!(*of(&counted, "window"), json!({ "id": "window", "solved": 2, "alone": 1, "tried": 2, "mistakes": [] }));
+    let by = who(&["Ana"], &["bia"], &[]);
+    let expected = json!({ "id": "window", "solved": 2, "alone": 1, "tried": 2, "who": by, "mistakes": [] });
+    assert_eq!(*of(&counted, "window"), expected);
     assert_eq!(counted["discuss"], json!(["vup-as-v"]));
     // The table of the same student is the same work, and earlier work doesn't replace it.
     bench.write("again.csv", ana.to_csv());
@@ -107,7 +116,9 @@ fn older_tables_are_read_and_others_are_named_and_skipped() {
         ["carla.csv", "empty.toml", "other.toml", "broken.toml", "table.csv", "cell.csv", "image.png", "none.csv"];
     let counted = report(&bench, &files);
     assert_eq!(counted["students"], json!(1));
-    assert_eq!(*of(&counted, "basis"), json!({ "id": "basis", "solved": 1, "alone": 0, "tried": 1, "mistakes": [] }));
+    let by = who(&[], &["carla"], &[]);
+    let expected = json!({ "id": "basis", "solved": 1, "alone": 0, "tried": 1, "who": by, "mistakes": [] });
+    assert_eq!(*of(&counted, "basis"), expected);
     assert_eq!(counted["mistakes"], json!([{ "code": "vup-as-v", "count": 1 }]));
     let skipped = counted["skipped"].as_array().unwrap();
     let names: Vec<&str> = skipped.iter().filter_map(|skipped| skipped["file"].as_str()).collect();
@@ -131,7 +142,10 @@ fn a_table_may_hold_a_whole_class() {
                 \"Silva; Ana\";mistake;of-tomorrow;;1;;basis;\nRui;exercise;basis;0;1;0;;\n";
     bench.write("all.csv", rows);
     let counted = report(&bench, &["all.csv"]);
-    let expected = json!({ "id": "basis", "solved": 1, "alone": 1, "tried": 2, "mistakes": [{ "code": "of-tomorrow", "count": 1 }] });
+    let expected = json!({
+        "id": "basis", "solved": 1, "alone": 1, "tried": 2, "who": who(&["Silva; Ana"], &[], &["Rui"]),
+        "mistakes": [{ "code": "of-tomorrow", "count": 1 }],
+    });
     assert_eq!((&counted["students"], of(&counted, "basis")), (&json!(2), &expected));
     // As a table and as a page.
     let table = bench.run(&["exercise", "report", "all.csv", "--format", "csv"]);

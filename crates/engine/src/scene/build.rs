@@ -187,8 +187,8 @@ impl MeshMaker<'_, '_> {
         Ok(())
     }
 
-    /// A part of a mesh file, with the adjacency for its outline. The corners of a texture double vertices too, so faces
-    /// only meet in a crease if they aren't in one plane.
+    /// A part of a mesh file, with the adjacency for its outline. The corners of a texture double vertices too, so
+    /// faces only meet in a crease if they aren't in one plane.
     fn outlined(&mut self, path: &str, part: usize, mesh: Arc<Mesh>) -> Arc<Mesh> {
         /// cos 20°.
         const FLAT: f64 = 0.94;

@@ -147,8 +147,7 @@ fn matrix_of_points(
     steps: Vec<Worked>,
     compute: impl Fn(Slips) -> Option<Vec<DVec4>> + Send + Sync + 'static,
 ) -> Ask {
-    let points = move |slips| compute(slips).map(|points| columns(&points));
-    Ask { any_order: true, ..Ask::computed(name, Kind::Matrix(4, 5), steps, points) }
+    Ask::computed(name, Kind::Matrix(4, 5), steps, move |slips| compute(slips).map(|points| columns(&points)))
 }
 
 /// I: the vertices in homogeneous coordinates, and the sides of the resulting pyramid.
@@ -167,7 +166,7 @@ pub(super) fn vertices(free: &Free) -> Exercise {
         ask.of_nature(Nature::Size)
     };
     let asks = vec![
-        matrix_of_points("local", Vec::new(), move |slips| Some(birth.local(slips))),
+        Ask { any_order: true, ..matrix_of_points("local", Vec::new(), move |slips| Some(birth.local(slips))) },
         number("side", ["a", "M"], month),
         number("height", ["h", "D"], day),
     ];
