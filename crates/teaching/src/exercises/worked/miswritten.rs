@@ -90,7 +90,7 @@ pub(in crate::exercises) fn names(steps: &[Worked]) -> impl Iterator<Item = Opti
     steps.iter().flat_map(|step| &step.rows).map(|row| name(&row.symbol))
 }
 
-/// True for a length: nobody gives it a minus.
+/// True for a length, which a student wouldn't write with a minus.
 fn is_length(symbol: &Formula) -> bool {
     name(symbol).is_some_and(|name| name == "D" || name.starts_with('‖'))
 }
