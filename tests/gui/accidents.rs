@@ -65,14 +65,20 @@ fn meshes_that_are_none_stand_in_the_scene_with_the_reason() {
     File::create(folder.file("huge.obj")).unwrap().set_len(5 << 30).unwrap();
     fs::create_dir(folder.file("folder.glb")).unwrap();
     pipe(&folder.file("pipe.gltf"));
+    fs::write(folder.file("tent.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
     let mut window = Window::new(Lang::En);
+    // Alone they're no scene.
+    window.drop_files([&*folder.file("huge.obj")]);
+    window.wait(|window| window.says("512 MiB"));
+    assert!(window.state().model.desk.shown.figure().scene.objects.iter().all(|object| object.name != "huge"));
+    window.drop_files([&*folder.file("tent.obj")]);
     for (name, said) in [("huge.obj", "512 MiB"), ("folder.glb", "a directory"), ("pipe.gltf", "a pipe")] {
         window.drop_files([&*folder.file(name)]);
         window.wait(|window| window.says(said));
     }
-    assert_eq!(window.state().model.desk.shown.figure().scene.objects.len(), 3);
-    // The first one is a scene of its own.
-    for left in (1..3).rev() {
+    assert_eq!(window.state().model.desk.shown.figure().scene.objects.len(), 4);
+    // The tent is a scene of its own.
+    for left in (1..4).rev() {
         window.command_key(Key::Z);
         assert_eq!(window.state().model.desk.shown.figure().scene.objects.len(), left);
     }

@@ -79,12 +79,13 @@ fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
 fn each_ready_pair_compares_and_is_swapped() {
     let mut window = house(Lang::En);
     window.compare();
+    // The name of the side that the figure is stands at the left, like its side.
     for (pair, key) in [
-        ("painter | depth buffer", "style.visibility"),
-        ("BSP | depth buffer", "style.visibility"),
-        ("parallel | perspective", "camera.projection"),
+        ("depth buffer | painter", "style.visibility"),
+        ("depth buffer | BSP", "style.visibility"),
+        ("perspective | parallel", "camera.projection"),
         ("OpenGL | Direct3D", "show.ndc"),
-        ("depth of 16 bits | f32 reversed", "style.depth_format"),
+        ("f32 reversed | depth of 16 bits", "style.depth_format"),
     ] {
         window.click(pair);
         assert_eq!(window.compared().expect("a comparison").with[0].0, key, "{pair}");
@@ -94,8 +95,9 @@ fn each_ready_pair_compares_and_is_swapped() {
     assert_eq!(window.state().model.desk.shown.figure().style.depth_format, DepthFormat::Fixed16);
     assert_eq!(window.compared().expect("a comparison").with[0].1, "\"f32-reversed\"");
     window.click(en::COMPARE.swap);
-    window.click(en::COMPARE.projection);
+    window.click("perspective | parallel");
     window.click(en::COMPARE.swap);
+    assert!(window.says(en::COMPARE.projection), "its sides are exchanged");
     assert_eq!(window.state().model.desk.shown.figure().camera.projection, Projection::Parallel);
     window.click(en::COMPARE.operation);
     assert_eq!(window.compared().expect("a comparison").ops.len(), 1);

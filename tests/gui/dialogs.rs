@@ -572,6 +572,9 @@ fn thirty_versions_are_one_file_with_their_solutions_beside_it() {
     window.enter(t.numbers, "1");
     window.enter(t.until, "30");
     window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count >= 30));
+    // The preview has the pages of the sheet alone, and the other file is announced.
+    assert!(window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count < 60));
+    assert!(window.says(&handouts::versions(Lang::En, 30, 1, 30)) && window.says("exercises-solutions.pdf"));
     window.click(t.save);
     let path = folder.file("sheet.pdf");
     window.choose(&path);
@@ -582,6 +585,8 @@ fn thirty_versions_are_one_file_with_their_solutions_beside_it() {
     // Fewer than one version can't be had, and raising the first number leaves no version behind it.
     window.harness.key_press_modifiers(Modifiers::ALT, Key::K);
     window.run();
+    let Some(Dialog::Handout(form)) = &window.state().file_flow.dialog else { panic!("no sheet") };
+    assert_eq!(form.seeds, [1, 30], "they are kept");
     window.enter(t.numbers, "40");
     let Some(Dialog::Handout(form)) = &window.state().file_flow.dialog else { panic!("no sheet") };
     assert_eq!(form.seeds, [40, 40]);

@@ -10,6 +10,7 @@ use camera_lab::gui;
 use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::scene::ObjectPaint;
+use camera_lab_desk::Message;
 use camera_lab_files as files;
 use camera_lab_words::Lang;
 use eframe::egui::accesskit::Role;
@@ -307,6 +308,23 @@ fn a_dropped_file_is_opened_after_the_question_about_changes() {
     window.click(en::WINDOW.dont_save);
     assert_eq!(window.state().model.desk.shown.draft().far, 61.0);
     assert_eq!(window.state().model.desk.shown.name().as_deref(), Some("dropped.toml"));
+}
+
+/// A file with cameras only is no scene. The message says what to do with it, and the figure stays.
+#[test]
+fn a_mesh_without_faces_is_refused_and_its_camera_has_a_way() {
+    let folder = Folder::new("mesh-camera");
+    let path = folder.file("camera.gltf");
+    let text = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"camera":0}],
+        "cameras":[{"type":"perspective","perspective":{"yfov":0.7,"znear":0.5,"zfar":50}}]}"#;
+    fs::write(&path, text).expect("written");
+    let mut window = Window::new(Lang::En);
+    let before = window.state().model.desk.shown.figure().clone();
+    window.command_key(Key::O);
+    window.choose(&path);
+    window.wait(|window| matches!(window.state().model.message, Some(Message::NoScene(..))));
+    assert!(window.says(en::WINDOW.paste_camera) && !window.says("[["));
+    assert_eq!(window.state().model.desk.shown.figure(), &before);
 }
 
 /// A mesh that's far away and large is a scene of its own, seen whole. Saving asks for a file, and never replaces it.

@@ -6,7 +6,10 @@ use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
 use camera_lab::lessons::shipped;
 use camera_lab_files::share::text_in;
 use camera_lab_words::Lang;
+use camera_lab_words::window::sharing;
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
 
 use super::files::Folder;
 use super::lessons::playing;
@@ -50,4 +53,37 @@ fn the_page_is_asked_for_once_and_opens_the_figure_or_the_lesson() {
     assert!(fs::read_to_string(folder.file("lesson.html")).expect("a page").contains(&id));
     write(window, Key::M, "course.zip");
     assert!(fs::read(folder.file("course.zip")).expect("a package").starts_with(b"PK"));
+}
+
+/// A mesh of the user's own goes with the figure, in a link and in the page.
+#[test]
+fn a_figure_that_is_handed_out_takes_its_mesh_along() {
+    let folder = Folder::new("hand-out-mesh");
+    fs::write(folder.file("tent.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n").expect("written");
+    fs::write(folder.file("camera-lab.html"), PAGE).expect("written");
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::O);
+    window.choose(&folder.file("tent.obj"));
+    window.app_mut().state.sharing.page_file = folder.file("camera-lab.html");
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::H);
+    window.run();
+    window.choose(&folder.file("tent.html"));
+    window.run();
+    let page = fs::read_to_string(folder.file("tent.html")).expect("a page");
+    let of_page = page.split('\'').find(|part| part.starts_with("#figure=")).expect("a link").to_owned();
+    window.command_key(Key::K);
+    let words = sharing::texts(Lang::En);
+    assert!(!window.says(words.own_files), "nothing is left out");
+    let field = window.harness.get_by_role_and_label(Role::TextInput, words.link);
+    let of_dialog = field.value().expect("a link");
+    fs::remove_file(folder.file("tent.obj")).expect("a file");
+    for link in [of_page, of_dialog] {
+        let mut other = Window::new(Lang::En);
+        other.command_key(Key::O);
+        other.choose(std::path::Path::new(&link));
+        other.run();
+        other.wait(|window| !window.state().model.scene_cache.scene().objects.is_empty());
+        let objects = &other.state().model.scene_cache.scene().objects;
+        assert!(objects.iter().any(|object| object.mesh.positions.len() >= 4), "{}", objects.len());
+    }
 }

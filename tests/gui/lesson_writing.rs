@@ -140,7 +140,7 @@ fn title_sentence_and_minutes_of_the_lesson_are_written_and_taken_back() {
     // A text that is no number of minutes gets a message, stays in its field, and holds the lesson.
     type_into(&mut window, t.lesson_minutes_field, "long");
     pause(&mut window);
-    assert!(window.says("minutes") && window.says(t.not_written));
+    assert!(window.says(&format!("“{}”", t.lesson_minutes_field)) && window.says(t.not_written));
     window.key(Key::PageDown);
     let playing = window.state().learn.lesson.as_ref().unwrap();
     assert_eq!((playing.step, playing.writing.as_ref().unwrap().typed.words[5].en.as_str()), (1, "long"));
@@ -234,7 +234,13 @@ fn steps_change_their_places_and_keep_their_pictures() {
     camera.near *= 1.5;
     window.app_mut().state.model.desk.shown.set_parameters(camera);
     window.run();
+    // The title that you type first must not go to the question of the step before.
+    let has_title =
+        |window: &Window| window.harness.query_by_role_and_label(Role::TextInput, t.step_title_field).is_some();
+    window.click(tasks::texts(Lang::En).task);
+    assert!(!has_title(&window));
     window.click(t.step_another);
+    assert!(has_title(&window));
     let (lesson, _) = read_lesson(&path).unwrap();
     assert_eq!(lesson.steps.len(), before.len() + 1);
     let step = window.state().learn.lesson.as_ref().unwrap().step;

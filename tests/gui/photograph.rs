@@ -103,6 +103,23 @@ fn lines_drawn_on_a_photograph_give_its_camera_which_can_be_taken_and_undone() {
 }
 
 #[test]
+fn each_mark_is_a_step_of_undo() {
+    let t = words::texts(Lang::En);
+    let mut window = window(Lang::En, WRONG);
+    window.click(t.find);
+    let lines = |window: &Window| window.state().model.photograph.marks.lines.len();
+    for (count, y) in [(1, 0.0), (2, 2.0)] {
+        draw(&mut window, [0.0, y, 0.0], [4.0, y, 0.0]);
+        assert_eq!(lines(&window), count);
+    }
+    window.click(t.clear);
+    for (key, count) in [(Key::Z, 2), (Key::Z, 1), (Key::Z, 0), (Key::Y, 1), (Key::Y, 2), (Key::Y, 0)] {
+        window.command_key(key);
+        assert_eq!(lines(&window), count, "{key:?}");
+    }
+}
+
+#[test]
 fn lines_nearly_parallel_in_the_image_leave_theta_open_and_the_card_says_so() {
     let t = words::texts(Lang::En);
     let mut window = window(Lang::En, WRONG);

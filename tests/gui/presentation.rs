@@ -277,6 +277,24 @@ fn beside_a_panel_one_picture_is_large_and_it_is_the_one_that_is_explained() {
 }
 
 #[test]
+fn ink_stays_with_its_step() {
+    let mut window = super::lessons::playing(0, 0, Lang::En);
+    window.key(Key::F11);
+    window.key(Key::P);
+    let picture = window.harness.get_by_label_contains("Image: what the camera sees").rect();
+    window.drag(picture.center(), vec2(60.0, 20.0), |_| {});
+    let ink = window.state().annotations.strokes.clone();
+    assert_eq!(ink.len(), 1);
+    window.key(Key::PageDown);
+    window.key(Key::PageDown);
+    assert!(window.state().annotations.strokes.is_empty());
+    while window.state().learn.lesson.as_ref().is_some_and(|playing| playing.step > 0) {
+        window.key(Key::PageUp);
+    }
+    assert_eq!(window.state().annotations.strokes, ink);
+}
+
+#[test]
 fn ink_stays_with_its_figure_and_the_window_says_escape_clears_it() {
     let folder = Folder::new("ink");
     for name in ["1.toml", "2.toml"] {

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 
 use super::history::{History, Moment, Revision};
+use super::message::Message;
 use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
 use crate::figure::{Figure, Labels, Observers, Screen, Show, update};
 use crate::progress::Progress;
@@ -129,18 +130,18 @@ impl Document {
     /// As for [`new`](Self::new).
     pub fn of_lesson(figure: Figure, lesson: Option<&Path>) -> Result<Self, CameraError> {
         let file = |path: &Path| SourceFile { path: path.to_owned(), ..SourceFile::default() };
-        // A link comes without files.
-        let reach = FileAccess::of_lesson(lesson, false);
+        let (reach, carried) = (FileAccess::of_lesson(lesson, false), Carried::of_lesson(lesson));
         let lesson = lesson.filter(|path| share::link_of(path).is_none());
-        Ok(Self { path: None, reach, ..Self::new(figure, lesson.map(file))? })
+        Ok(Self { path: None, reach, carried, ..Self::new(figure, lesson.map(file))? })
     }
 
     /// A new figure in the folder of a mesh, whose scene is the mesh, seen whole from a corner. If the mesh can't be
     /// read, the figure names it all the same, and the window says why it's missing.
     ///
     /// # Errors
-    /// [`CameraError`] if no camera sees it.
-    pub fn of_mesh(path: &Path) -> Result<Self, CameraError> {
+    /// [`Message`] if it can't be read, or if no camera sees it.
+    pub fn of_mesh(path: &Path) -> Result<Self, Box<Message>> {
+        let impossible = |error| Message::NotOpened(path.to_owned(), error);
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let named = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let mut figure = Figure::of_preset(Preset::Empty);
@@ -152,17 +153,17 @@ impl Document {
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut files = FigureFiles::new(folder, FileAccess::of(path, true, false));
         let scene = scene_of(&figure, &mut |wanted| files.read(wanted), &Progress::default());
-        if let Some((middle, points)) = scene.ok().and_then(|scene| scene.extent_of(&figure.scene, &BTreeSet::new())) {
+        let scene = scene.map_err(|error| Message::NoScene(path.to_owned(), error))?;
+        if let Some((middle, points)) = scene.extent_of(&figure.scene, &BTreeSet::new()) {
             let size = points.iter().map(|p| p.distance(middle)).fold(f64::MIN_POSITIVE, f64::max);
             let position = middle + DVec3::new(3.0, 2.5, 4.0) * size;
             let far = Parameters { position, focal_point: middle, near: size, far: 12.0 * size, ..figure.camera };
-            figure.camera = *Camera::new(&far)?.fitted_to(&points)?.parameters();
+            let fitted = Camera::new(&far).and_then(|camera| camera.fitted_to(&points)).map_err(impossible)?;
+            figure.camera = *fitted.parameters();
         }
         let text = update("", &figure);
-        Self::new(
-            figure,
-            Some(SourceFile { path: path.to_owned(), text, is_picture: true, carried: Carried::default() }),
-        )
+        let file = SourceFile { path: path.to_owned(), text, is_picture: true, carried: Carried::default() };
+        Ok(Self::new(figure, Some(file)).map_err(impossible)?)
     }
 
     /// A figure whose camera may be impossible. Then it's drawn with the first repair of its camera, and the fields

@@ -6,7 +6,7 @@ use crate::picture::{Handout, PictureError};
 use crate::progress::Progress;
 use crate::sanitize;
 use crate::views::{SharedScene, View, Views, scene_of};
-use camera_lab_files::{FigureFiles, FileAccess};
+use camera_lab_files::FigureFiles;
 use camera_lab_words::handout::{self, HandoutOptions, NoPicture, Scenes, Solutions, Version, views_of};
 
 /// A requested handout.
@@ -59,8 +59,7 @@ impl Job {
         let options = self.options;
         match &self.content {
             Content::Lesson(OpenLesson { lesson, path, .. }) => {
-                let folder = path.as_deref().and_then(std::path::Path::parent).unwrap_or("".as_ref());
-                let mut files = FigureFiles::new(folder, FileAccess::of_lesson(path.as_deref(), false));
+                let mut files = FigureFiles::of_lesson(path.as_deref(), false);
                 let mut scenes = Scenes::default();
                 handout::of_lesson(lesson, options, |(_, step), size| {
                     let build = || scene_of(&step.figure, &mut |wanted| files.read(wanted), progress);
@@ -80,12 +79,27 @@ impl Job {
     /// # Errors
     /// [`ExportError`] if a picture can't be drawn.
     pub async fn pdfs(&self, progress: &Progress) -> Result<(Vec<u8>, Option<Vec<u8>>), ExportError> {
-        let with = |answers| Self { options: HandoutOptions { answers, ..self.options }, ..self.clone() };
         let pdf = async |job: &Self| Ok::<_, ExportError>(job.handout(progress)?.pdf(progress).await?);
+        let solutions = match self.solutions_apart() {
+            Some(job) => Some(pdf(&job).await?),
+            None => None,
+        };
+        Ok((pdf(&self.first_file()).await?, solutions))
+    }
+
+    /// The handout of the first file, without the solutions that stand in a second one.
+    #[must_use]
+    pub fn first_file(&self) -> Self {
+        if self.solutions_apart().is_some() { self.with(Solutions::None) } else { self.clone() }
+    }
+
+    /// The solutions of several versions, which stand in a second file.
+    fn solutions_apart(&self) -> Option<Self> {
         let has_versions = matches!(&self.content, Content::Exercises(versions) if versions.len() > 1);
-        if !has_versions || self.options.answers == Solutions::None {
-            return Ok((pdf(self).await?, None));
-        }
-        Ok((pdf(&with(Solutions::None)).await?, Some(pdf(&with(Solutions::Alone)).await?)))
+        (has_versions && self.options.answers != Solutions::None).then(|| self.with(Solutions::Alone))
+    }
+
+    fn with(&self, answers: Solutions) -> Self {
+        Self { options: HandoutOptions { answers, ..self.options }, ..self.clone() }
     }
 }

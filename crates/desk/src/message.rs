@@ -81,6 +81,8 @@ pub enum Message {
     File(PathBuf, FileError),
     /// The camera of the figure in this file is impossible.
     NotOpened(PathBuf, CameraError),
+    /// The mesh in this file makes no scene.
+    NoScene(PathBuf, SceneError),
     /// A figure can't be saved before its impossible camera is repaired.
     NotSaved(CameraError),
     /// The opened file has an impossible camera. Its numbers are in the fields.
@@ -199,6 +201,9 @@ impl Message {
             Self::File(path, error) => (Error, messages::file(lang, &messages::opened(lang, path), error)),
             Self::NotOpened(path, error) => {
                 (Error, format!("{}: {}", messages::opened(lang, path), messages::camera(lang, error)))
+            }
+            Self::NoScene(path, error) => {
+                (Error, format!("{}: {}", messages::opened(lang, path), messages::opened_mesh(lang, error)))
             }
             Self::NotSaved(error) => (Error, format!("{} {}", t.not_saved, faults::camera_error(lang, error))),
             Self::Impossible(path, error) => (

@@ -259,8 +259,17 @@ impl Model {
         self.desk.shows_work() || self.is_rearranged()
     }
 
-    /// Undoes a step of the figure, or redoes it. Selects restored objects.
+    /// True if there is a step to undo (`back`), or to redo.
+    pub fn can_undo(&self, back: bool) -> bool {
+        self.photograph.can_undo(self.desk.shown.camera().parameters(), back) || self.desk.can_undo(back)
+    }
+
+    /// Undoes a step of the marks on the photograph or of the figure (`back`), or redoes it. Selects restored objects.
     pub fn undo(&mut self, back: bool) {
+        let camera = *self.desk.shown.camera().parameters();
+        if self.photograph.can_undo(&camera, back) {
+            return self.photograph.undo(&camera, back);
+        }
         let before = self.desk.shown.figure().scene.clone();
         self.desk.undo(back);
         self.tree.follow(&before, &self.desk.shown.figure().scene);
@@ -283,11 +292,49 @@ impl Model {
 pub(crate) mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+    use glam::DVec2;
+
     use super::*;
     use crate::document::fresh;
 
     /// The model of a window that has just opened.
     pub(crate) fn model() -> Model {
         Model::new(Desk::new(Document::new(fresh(), None).unwrap()), Lang::En, true)
+    }
+
+    #[test]
+    fn marks_on_a_photograph_are_undone_in_order_with_the_camera_taken_from_them() {
+        let mut model = model();
+        model.photograph.on = true;
+        let before = *model.desk.shown.camera().parameters();
+        for x in [1.0, 2.0] {
+            model.photograph.begin(DVec2::splat(x));
+            model.photograph.go_on(DVec2::splat(50.0 * x));
+            model.photograph.end(true);
+            model.photograph.settle(&before);
+            model.photograph.settle(&before);
+        }
+        let mut after = before;
+        after.position.x += 1.0;
+        model.desk.commit();
+        model.desk.shown.set_camera(Camera::new(&after).unwrap());
+        model.desk.commit();
+        let state =
+            |model: &Model| (model.photograph.marks.lines.len(), *model.desk.shown.camera().parameters() == after);
+        let states = [(2, true), (2, false), (1, false), (0, false)];
+        for expected in states {
+            assert_eq!(state(&model), expected);
+            if model.can_undo(true) {
+                model.undo(true);
+            }
+        }
+        assert!(!model.can_undo(true));
+        for expected in states.into_iter().rev() {
+            assert_eq!(state(&model), expected);
+            if model.can_undo(false) {
+                model.undo(false);
+            }
+        }
+        assert!(!model.can_undo(false));
     }
 }

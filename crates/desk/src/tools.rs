@@ -95,6 +95,12 @@ pub struct PhotographTool {
     /// The axis of the length in the image: the pixel of the origin, the way, and the reach within which a point snaps
     /// to it, in pixels. Set by [`find_axis`](Self::find_axis) in each frame.
     pub axis: Option<(DVec2, DVec2, f64)>,
+    /// The marks of the last step of undo.
+    settled: PhotographMarks,
+    /// The marks before each step, and the figure's camera then.
+    earlier: Vec<(PhotographMarks, Parameters)>,
+    /// The same of the undone steps.
+    later: Vec<(PhotographMarks, Parameters)>,
 }
 
 impl Default for PhotographTool {
@@ -106,6 +112,9 @@ impl Default for PhotographTool {
             length: (WorldAxis::X, 1.0),
             new_line: None,
             axis: None,
+            settled: PhotographMarks::default(),
+            earlier: Vec::new(),
+            later: Vec::new(),
         }
     }
 }
@@ -149,6 +158,29 @@ impl PhotographTool {
     /// Removes all marks.
     pub fn clear(&mut self) {
         self.marks = PhotographMarks::default();
+    }
+
+    /// Makes a step of undo of the changes since the last one, in front of this camera of the figure.
+    pub fn settle(&mut self, camera: &Parameters) {
+        if self.marks != self.settled {
+            self.earlier.push((std::mem::replace(&mut self.settled, self.marks.clone()), *camera));
+            self.later.clear();
+        }
+    }
+
+    /// True if the last step (`back`), or the next one, is one of the marks. After the figure has taken its camera over,
+    /// that comes first.
+    pub(crate) fn can_undo(&self, camera: &Parameters, back: bool) -> bool {
+        let steps = if back { &self.earlier } else { &self.later };
+        self.on && steps.last().is_some_and(|(_, then)| then == camera)
+    }
+
+    /// Undoes a step of the marks (`back`), or redoes it.
+    pub(crate) fn undo(&mut self, camera: &Parameters, back: bool) {
+        let (from, to) = if back { (&mut self.earlier, &mut self.later) } else { (&mut self.later, &mut self.earlier) };
+        let Some((marks, _)) = from.pop() else { return };
+        to.push((std::mem::replace(&mut self.settled, marks), *camera));
+        (self.marks, self.new_line) = (self.settled.clone(), None);
     }
 
     /// The grips, with their places in the image.

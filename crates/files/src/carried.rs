@@ -3,6 +3,7 @@
 //! format that holds a figure carries them alike.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 
 use base64::Engine as _;
@@ -11,6 +12,7 @@ use miniz_oxide::deflate::core::{CompressorOxide, TDEFLFlush, TDEFLStatus, compr
 use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_with_limit};
 
 use crate::scene::ReadProblem;
+use crate::share;
 
 /// The start of a comment with a file.
 pub(super) const MARK: &str = "#camera-lab-file ";
@@ -48,6 +50,12 @@ impl Carried {
             files.extend(name.zip(packed.ok()));
             text.truncate(start);
         }
+    }
+
+    /// The files of a link to a lesson. None for a path.
+    pub fn of_lesson(path: Option<&Path>) -> Self {
+        let text = path.and_then(share::link_of).and_then(share::text_in);
+        text.and_then(Result::ok).map(|text| Self::from_text(text).1).unwrap_or_default()
     }
 
     /// The text of a figure with the files after it.

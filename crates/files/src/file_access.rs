@@ -73,7 +73,15 @@ impl FigureFiles {
         Self { folder: folder.to_owned(), reach, carried, left: MAX_SCENE_BYTES, unread: Vec::new() }
     }
 
-    /// The same, with the files that a picture carries. They come before files of the same name on the disk.
+    /// The files of a lesson's figures, in its folder or below, or in its link. `None` for a built-in lesson. If
+    /// `allowed`, the user lets it name any file.
+    pub fn of_lesson(path: Option<&Path>, allowed: bool) -> Self {
+        let folder = path.filter(|path| share::link_of(path).is_none()).and_then(Path::parent);
+        let files = Self::new(folder.unwrap_or(Path::new("")), FileAccess::of_lesson(path, allowed));
+        files.with(&Carried::of_lesson(path))
+    }
+
+    /// The same, with the files that a picture or a link carries. They come before files of the same name on the disk.
     #[must_use]
     pub fn with(self, carried: &Carried) -> Self {
         Self { carried: carried.clone(), ..self }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::carried::Carried;
 use super::own_exercises::toml_files;
 use super::{FileError, read_at_most, read_start};
 use crate::lessons::{Lesson, parse_bytes};
@@ -27,7 +28,8 @@ pub struct OwnLessons {
 /// [`FileError`] if the file or link can't be read, or holds no lesson.
 pub fn read_lesson(path: &Path) -> Result<(Lesson, String), FileError> {
     let bytes = match share::link_of(path).and_then(share::text_in) {
-        Some(text) => text?,
+        // Behind the text of a link are the files that it carries.
+        Some(text) => Carried::from_text(text?).0,
         None => read_at_most(path, MAX_LESSON_BYTES as u64)?,
     };
     let lesson = parse_bytes(&bytes)?;

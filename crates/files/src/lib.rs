@@ -56,7 +56,7 @@ use crate::export::format::PictureFormat;
 use crate::export::png::{self, PngError};
 use crate::export::vector;
 use crate::figure::{Figure, FigureError, read};
-use crate::limits::{MAX_CAMERA_FILE_BYTES, MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
+use crate::limits::{MAX_CAMERA_FILE_BYTES, MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
 use crate::scene::import::MESH_ENDINGS;
 use crate::scene::{ReadProblem, system_words};
 pub use carried::Carried;
@@ -77,7 +77,7 @@ pub use patience::{before_each_file, limit_waiting, reader_wait};
 pub use save::{is_read_only, remove_left_over, save};
 use share::ShareError;
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure, Topic};
-pub use travel::{LeftOut, beside_figure, own_files, text_in_picture};
+pub use travel::{LeftOut, beside_figure, own_files, text_in_picture, text_with_files};
 
 /// A reason why a file is unusable. Displayed, it follows the name of the file.
 #[derive(Debug, thiserror::Error)]
@@ -130,7 +130,7 @@ pub enum FileError {
     OtherPage,
     /// A page or package of something that names a file of the user's own.
     #[error(
-        "can't hold {0}, a file of yours; allowed: named scenes, primitives, and meshes of the program (camera-lab:…)"
+        "can't hold {0}, a file of yours; allowed: files that can be read and have at most {limit} MiB together when packed", limit = MAX_CARRIED_BYTES >> 20
     )]
     OwnFile(String),
     /// A figure file with a fault.
@@ -191,8 +191,7 @@ impl Opened {
 /// [`FileError`], which names the line of a fault in a figure file.
 pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
     let (bytes, is_link) = figure_bytes(path)?;
-    let opened = figure_from(&bytes).map_err(|error| other_kind(path, &bytes).unwrap_or(error))?;
-    Ok(Opened { from_picture: opened.from_picture || is_link, ..opened })
+    figure_of(&bytes, is_link).map_err(|error| other_kind(path, &bytes).unwrap_or(error))
 }
 
 /// The kind of a file that holds no figure, if it's one that people take for a figure.
@@ -221,11 +220,11 @@ pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
 pub fn open_figure_with_any_camera(path: &Path) -> Result<(Opened, Option<CameraError>), FileError> {
     let (bytes, is_link) = figure_bytes(path)?;
     let or_other = |error| other_kind(path, &bytes).unwrap_or(error);
-    let (text, from_picture, carried) = figure_text(&bytes).map_err(or_other)?;
+    let (text, from_picture, carried) = figure_text(&bytes, is_link).map_err(or_other)?;
     let read = |text| read::parse_with_any_camera(read::text_of(text, MAX_FIGURE_BYTES)?);
     let (figure, error) = read(&text).map_err(|error| or_other(error.into()))?;
     let text = String::from_utf8_lossy(&text).into_owned();
-    Ok((Opened { figure, text, from_picture: from_picture || is_link, carried }, error))
+    Ok((Opened { figure, text, from_picture, carried }, error))
 }
 
 /// The bytes that tell a format.
@@ -275,15 +274,19 @@ fn is_picture(bytes: &[u8]) -> bool {
 /// # Errors
 /// [`FileError`], which names the line of a fault in a figure file.
 pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
-    let (bytes, from_picture, carried) = figure_text(bytes)?;
+    figure_of(bytes, false)
+}
+
+fn figure_of(bytes: &[u8], is_link: bool) -> Result<Opened, FileError> {
+    let (bytes, from_picture, carried) = figure_text(bytes, is_link)?;
     let figure = read::parse_bytes(&bytes)?;
     Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture, carried })
 }
 
-/// The text of the figure in the bytes of a file, true if the file is a picture, and the files that it carries.
-fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool, Carried), FileError> {
+/// The text of the figure in the bytes of a file or a link, true for a picture or a link, and the files that it carries.
+fn figure_text(bytes: &[u8], is_link: bool) -> Result<(Cow<'_, [u8]>, bool, Carried), FileError> {
     let from_vectors = vector::figure_in(bytes);
-    let from_picture = png::is_png(bytes) || from_vectors.is_some();
+    let from_picture = is_link || png::is_png(bytes) || from_vectors.is_some();
     let text = match from_vectors {
         Some(found) => found.filter(|text| text.len() <= MAX_FIGURE_BYTES).ok_or(PngError::NoFigure)?.into(),
         None => png::figure_bytes(bytes, MAX_FIGURE_BYTES)?,

@@ -7,6 +7,7 @@ use super::carried::{Carried, packed};
 use super::file_access::FigureFiles;
 use super::named_files::{Renamed, for_folder, rename};
 use super::shipped::SHIPPED;
+use super::{FileError, sanitize};
 use crate::export::format::PictureFormat;
 use crate::figure::Figure;
 use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES};
@@ -107,6 +108,31 @@ pub fn text_in_picture(
     }
 }
 
+/// A text with the files that its figures name, for a link or a page. Without such files it's the text itself.
+///
+/// # Errors
+/// [`FileError::OwnFile`] with the name of one that can't be read or has no room.
+pub fn text_with_files<'a>(
+    text: &str,
+    figures: impl IntoIterator<Item = &'a Figure>,
+    files: &FigureFiles,
+) -> Result<String, FileError> {
+    let no_room = |name: &str| FileError::OwnFile(sanitize::path_text(name));
+    let mut all = BTreeMap::new();
+    for figure in figures {
+        let own = own_files(figure);
+        let carried = carried(figure, &mut files.clone()).map_err(|left| no_room(&left.0.join(", ")))?.0;
+        if let Some(missing) = own.keys().find(|name| !carried.contains_key(**name)) {
+            return Err(no_room(missing));
+        }
+        all.extend(carried.iter().map(|(name, packed)| (name.clone(), packed.clone())));
+        if let Some(name) = own.keys().find(|_| all.values().map(Vec::len).sum::<usize>() > MAX_CARRIED_BYTES) {
+            return Err(no_room(name));
+        }
+    }
+    Ok(if all.is_empty() { text.to_owned() } else { Carried(all.into()).join(text) })
+}
+
 /// A figure as it's written to `path` with its files, in a new folder beside it: the figure, its new names, and the
 /// files. Those that can't be read are left out and keep their names.
 pub fn beside_figure(
@@ -149,7 +175,38 @@ mod tests {
     use crate::FileAccess;
     use crate::carried::MARK;
     use crate::figure::read::parse;
+    use crate::share::{self, Held};
     use crate::testing::Directory;
+
+    #[test]
+    fn a_link_to_a_figure_or_a_lesson_carries_its_meshes() {
+        let directory = Directory::new("travel-link");
+        let mesh = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        std::fs::write(directory.path().join("m.obj"), mesh).unwrap();
+        let object = "name = \"m\"\nshape = \"mesh\"\npath = \"m.obj\"\n";
+        let text = format!("[[scene.objects]]\n{object}");
+        let figure = parse(&text).unwrap();
+        let files = FigureFiles::new(directory.path(), FileAccess::Figure);
+        let read = |mut files: FigureFiles| files.read(Wanted { path: "m.obj", named_by: None }).ok();
+        let link = |held, whole: &str| PathBuf::from(share::link("", held, whole).unwrap());
+        let whole = link(Held::Figure, &text_with_files(&text, [&figure], &files).unwrap());
+        let opened = crate::open_figure(&whole).unwrap();
+        assert_eq!((opened.figure, opened.text, opened.from_picture), (figure.clone(), text.clone(), true));
+        assert_eq!(read(FigureFiles::new(Path::new(""), FileAccess::Link).with(&opened.carried)), Some(mesh.to_vec()));
+        // The same in a lesson, whose link the window keeps in place of a path.
+        let lesson =
+            format!("id = \"own\"\ntitle = \"Own\"\n[[step]]\ntitle = \"One\"\n[[step.scene.objects]]\n{object}");
+        let parsed = crate::lessons::parse(&lesson).unwrap();
+        let path = directory.path().join("own.toml");
+        let whole = crate::hand_out::lesson_with_files(&lesson, &parsed, Some(&path)).unwrap();
+        let whole = link(Held::Lesson, &whole);
+        assert_eq!(crate::read_lesson(&whole).unwrap().1, lesson);
+        assert_eq!(read(FigureFiles::of_lesson(Some(&whole), false)), Some(mesh.to_vec()));
+        // One that can't be read is named, and a text without files stays as it is.
+        std::fs::remove_file(directory.path().join("m.obj")).unwrap();
+        assert!(matches!(text_with_files(&text, [&figure], &files), Err(FileError::OwnFile(name)) if name == "m.obj"));
+        assert_eq!(text_with_files("x", [&Figure::default()], &files).unwrap(), "x");
+    }
 
     #[test]
     fn only_the_files_of_the_figure_travel() {

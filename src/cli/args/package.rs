@@ -23,7 +23,7 @@ pub(in crate::cli) struct PackedArgs {
     pass: String,
     /// File to write: .zip
     #[arg(short, long, value_name = "OUT.zip")]
-    output: PathBuf,
+    pub(in crate::cli) output: PathBuf,
 }
 
 impl PackedArgs {

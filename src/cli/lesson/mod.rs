@@ -78,9 +78,15 @@ fn read(path: &Path, lang: Lang) -> Result<(Lesson, String), Failure> {
 /// Packs a lesson. A built-in one is in the page already.
 fn package(args: &PackageArgs, lang: Lang) -> Result<(), Failure> {
     let Found { lesson, path } = find(&args.which, lang)?;
-    let text = path.map(|path| read(&path, lang)).transpose()?.map(|(_, text)| text);
+    let text = path.map(|path| with_files(&path, &lesson, (&args.packed.output, lang))).transpose()?;
     let opened = text.as_deref().unwrap_or(&lesson.id);
     args.packed.write(&lesson, opened, (written(args.which.lang), lang))
+}
+
+/// The text of a lesson file, with the files that its figures name, for the file to write.
+fn with_files(path: &Path, lesson: &Lesson, (output, lang): (&Path, Lang)) -> Result<String, Failure> {
+    let text = read(path, lang)?.1;
+    hand_out::lesson_with_files(&text, lesson, Some(path)).map_err(|error| of_file(output, &error, lang))
 }
 
 /// Writes the page that opens with a lesson.
@@ -88,11 +94,9 @@ fn page(args: &PageArgs, lang: Lang) -> Result<(), Failure> {
     let Found { lesson, path } = find(&args.which, lang)?;
     let page = page_of(&args.page, lang)?;
     let opens = match path {
-        Some(path) => fragment(Held::Lesson, &read(&path, lang)?.1),
+        Some(path) => fragment(Held::Lesson, &with_files(&path, &lesson, (&args.output, lang))?),
         None => hand_out::of_shipped(&lesson.id),
     };
-    hand_out::without_files(lesson.steps.iter().map(|step| &*step.figure))
-        .map_err(|error| of_file(&args.output, &error, lang))?;
     save(&args.output, hand_out::page_with(&page, &opens).as_bytes(), None, lang)
 }
 

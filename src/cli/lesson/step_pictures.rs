@@ -15,7 +15,7 @@ use crate::progress::Progress;
 use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Size, Views, scene_of};
-use camera_lab_files::{FigureFiles, FileAccess};
+use camera_lab_files::FigureFiles;
 use camera_lab_words::handout::{NoPicture, Scenes, picture, views_of};
 use camera_lab_words::learn::lessons as texts;
 use camera_lab_words::{Lang, messages};
@@ -32,8 +32,7 @@ pub(in crate::cli) struct Found {
 
 /// Reads the files that the figures of a lesson name.
 pub(in crate::cli) fn files_of(path: Option<&Path>, allow_files: bool) -> FigureFiles {
-    let folder = path.and_then(Path::parent).unwrap_or(Path::new(""));
-    FigureFiles::new(folder, FileAccess::of_lesson(path, allow_files))
+    FigureFiles::of_lesson(path, allow_files)
 }
 
 /// The scene of a step, whose meshes and textures are in the folder of the lesson or below, and the reasons why files

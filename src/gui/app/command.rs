@@ -6,6 +6,7 @@ mod table;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 pub use keys_page::{keys_pdf, keys_text};
 pub use table::MENUS;
+pub(super) use table::show_lessons;
 
 use crate::gui::app::state::State;
 use crate::gui::kit::Command;

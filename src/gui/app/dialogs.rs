@@ -101,7 +101,9 @@ const fn width(dialog: &Dialog) -> f32 {
         | Dialog::DeleteProgress
         | Dialog::Link
         | Dialog::Title(_) => 520.0,
-        Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
+        Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
+        // The lines of the licences.
+        Dialog::About => 810.0,
         Dialog::Gallery => 1110.0,
         Dialog::Lessons => lesson::LIST_WIDTH,
         Dialog::Coach => coach::WIDTH,
@@ -156,7 +158,7 @@ fn body(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, dialog: Dialog,
             learn.ticks = form.ticks();
             asked_file(ctx, state, pressed, Purpose::Handout(form.clone()), Dialog::Handout(form))
         }
-        Dialog::Lessons => lesson::list(ui, &mut state.model, &state.learn).then_some(Dialog::Lessons),
+        Dialog::Lessons => lesson::list(ui, &mut state.model, &state.learn, first).then_some(Dialog::Lessons),
         Dialog::Class(report) => {
             let purpose = Purpose::For(FileFor::ClassReport(report.clone()));
             let pressed = class_report(ui, t, &report, first);
@@ -470,9 +472,11 @@ fn choose_typed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: 
     }
 }
 
-/// Selects the name in a proposed path, without its folder and its ending, so that typing replaces it.
+/// Selects the name in a proposed path, without its folder and its ending, so that typing replaces it. A folder alone is
+/// selected whole.
 fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
     let begin = path.rfind(['/', '\\']).map_or(0, |at| at + 1);
+    let begin = if begin == path.len() { 0 } else { begin };
     let end = path[begin..].rfind('.').map_or(path.len(), |at| begin + at);
     let [begin, end] = [begin, end].map(|at| path[..at].chars().count());
     text_field::select(ui.ctx(), response.id, begin..end);

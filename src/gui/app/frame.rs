@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use eframe::egui;
 
+use super::command::show_lessons;
 use super::state::State;
 use super::{App, dialogs, menu, presentation, status};
 use crate::figure::Explanation;
@@ -264,7 +265,8 @@ impl App {
         let is_down = ctx.input(|input| input.pointer.any_down());
         self.state.model.check_camera(&frames(&ctx), is_down);
         self.state.model.count_pixels(&frames(&ctx), is_down);
-        presentation::show(&ctx, &self.state.model, &mut self.state.annotations, pictures.response.rect);
+        let State { model, learn, annotations, .. } = &mut self.state;
+        presentation::show(&ctx, (model, learn), annotations, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
         status::toast(&ctx, &self.state.model, pictures.response.rect);
@@ -400,7 +402,7 @@ fn perform_request(ctx: &egui::Context, state: &mut State) {
             return;
         }
         Action::Note(note) => return state.explain.explain_by_note(&mut state.model, note),
-        Action::Lessons => Dialog::Lessons,
+        Action::Lessons => return show_lessons(state),
         Action::Delete { names, below } => Dialog::Delete { names, below },
         Action::DeleteProgress => Dialog::DeleteProgress,
         Action::Coach => Dialog::Coach,

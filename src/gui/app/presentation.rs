@@ -183,7 +183,9 @@ pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model, learn: &Learn) {
 }
 
 /// The annotations over the pictures, which are in `room`.
-pub(in crate::gui) fn show(ctx: &Context, model: &Model, annotations: &mut Annotations, room: Rect) {
+pub(in crate::gui) fn show(ctx: &Context, (model, learn): (&Model, &Learn), annotations: &mut Annotations, room: Rect) {
+    let playing = learn.lesson.as_ref();
+    annotations.follow_step(playing.map(|playing| (playing.lesson.id.as_str(), playing.step)));
     if annotations.pen {
         pen(ctx, annotations, room);
     }

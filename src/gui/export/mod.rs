@@ -29,7 +29,7 @@ use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
 use camera_lab_desk::{ChartFile, ExportError, Job, Model, Running, Shortfall, Worker};
 use camera_lab_files::{self as files, FigureFiles, FileError, LeftOut, Overwrite};
-use camera_lab_words::learn::lessons;
+use camera_lab_words::learn::handouts;
 use camera_lab_words::{Lang, pictures};
 
 /// The export settings: pictures, size, theme.
@@ -228,6 +228,10 @@ impl ExportSource {
     pub(super) fn of(model: &Model, family: &FamilyChoice, theme: Theme) -> Self {
         let mut figure = model.figure_as_shown();
         figure.style.theme = theme;
+        if family.variations().is_some() {
+            // The observer as seen is that of one larger picture. A family has one that holds the subject of each.
+            figure.observers = model.desk.shown.figure().observers;
+        }
         // As on the screen: labels don't answer an open question.
         let shot = Shot { asked: model.frame.asked.clone(), ..Shot::of(&figure) };
         let files = model.desk.shown.files();
@@ -385,7 +389,7 @@ impl Task {
             ExportKind::Handout(job) => {
                 let (bytes, solutions) = job.pdfs(progress).await?;
                 let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-                let name = format!("{stem}-{}.pdf", lessons::texts(job.options.lang).solutions.to_lowercase());
+                let name = handouts::solutions_file(&stem, job.options.lang);
                 let beside = solutions.map(|bytes| Beside { name, bytes });
                 return Ok((PictureFile { bytes, beside, over_budget: None, no_areas: None }, None));
             }
@@ -432,6 +436,24 @@ fn save_both(path: &Path, bytes: &[u8], beside: Option<Beside>, overwrite: Overw
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_family_holds_its_subjects_in_small_pictures_too() {
+        let mut state = crate::gui::app::state::State::new(crate::gui::Start::default()).expect("a camera");
+        // As in a wide window, whose observer is too near for narrow pictures.
+        state.model.frame.picture_sizes = [[1200, 300]; 3];
+        state.family.choose(family_choice::Subject::Ready(1));
+        let source = ExportSource::of(&state.model, &state.family, Theme::Light);
+        let size = Size { width: 800, height: 600, scale: 1.0 };
+        let (camera, request) = source.request(View::Image, size, &Progress::default()).expect("a picture");
+        let export = Export { what: Views::One(View::World), ..Export::new([[400, 300]; 3], 1.0) };
+        let variations = source.family.variations().expect("a family").expect("values");
+        let sheet = source.family((&export, &request), &variations, &camera, &Progress::default()).expect("a sheet");
+        assert_eq!(sheet.requests.len(), 4);
+        for own in &sheet.requests {
+            assert!(own.holds(&own.seen_from().expect("a world")), "{:?}", own.size);
+        }
+    }
 
     #[test]
     fn a_size_on_paper_has_pixels_and_letters() {

@@ -101,7 +101,12 @@ fn pairs(ui: &mut Ui, words: &Words, model: &Model) -> Option<Figure> {
             (words.depth, "style.depth_format", ["fixed-16", "f32-reversed"], false),
             (words.vertices, "style.vertex_format", ["f16", "f64"], true),
         ] {
-            if toggle(ui, is_of(key, pair[0]), name).clicked() {
+            // The names stand as their sides do.
+            let name = match name.split_once(" | ") {
+                Some((first, second)) if Comparison::stands_left(figure, key, pair[1]) => format!("{second} | {first}"),
+                _ => name.to_owned(),
+            };
+            if toggle(ui, is_of(key, pair[0]), &name).clicked() {
                 let mut figure = in_window(model);
                 if key == "camera.projection" {
                     give_other_projection(model, &mut figure);

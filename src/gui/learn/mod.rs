@@ -73,7 +73,7 @@ impl Learn {
 
     /// Undoes a step, or redoes it. The figure on the screen comes first, then the lesson.
     pub fn undo(&mut self, model: &mut Model, back: bool) {
-        if !model.desk.can_undo(back) && self.can_undo_lesson(model, back) {
+        if !model.can_undo(back) && self.can_undo_lesson(model, back) {
             return self.undo_lesson(model, back);
         }
         model.undo(back);
@@ -81,7 +81,7 @@ impl Learn {
 
     /// True if there is a step to undo (`back`), or to redo.
     pub(in crate::gui) fn can_undo(&self, model: &Model, back: bool) -> bool {
-        model.desk.can_undo(back) || self.can_undo_lesson(model, back)
+        model.can_undo(back) || self.can_undo_lesson(model, back)
     }
 
     /// The present question for a place in the image.

@@ -5,6 +5,9 @@ use eframe::egui::Pos2;
 
 use camera_lab_desk::Source;
 
+/// A figure of a lecture by its source, or a step of a lesson.
+type Page = (Option<Source>, Option<(String, usize)>);
+
 /// The annotations over the pictures.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Annotations {
@@ -12,8 +15,10 @@ pub struct Annotations {
     pub pen: bool,
     /// The strokes of the pen, in points of the window.
     pub strokes: Vec<Vec<Pos2>>,
-    /// The strokes over other figures of a lecture, by the sources of those.
-    others: Vec<(Option<Source>, Vec<Vec<Pos2>>)>,
+    /// The strokes over other figures of a lecture and other steps of lessons.
+    others: Vec<(Page, Vec<Vec<Pos2>>)>,
+    /// The step of a lesson that the strokes are over: the lesson's name and the step's place.
+    step: Option<(String, usize)>,
     /// True if a spot marks the pointer.
     pub spot: bool,
     /// True if the pictures stay the same during edits.
@@ -32,16 +37,30 @@ impl Annotations {
 
     /// Removes everything from this figure. Displayed keys stay.
     pub fn clear(&mut self) {
-        *self = Self { keys_since: self.keys_since, others: std::mem::take(&mut self.others), ..Self::default() };
+        let (others, step) = (std::mem::take(&mut self.others), self.step.take());
+        *self = Self { keys_since: self.keys_since, others, step, ..Self::default() };
     }
 
     /// Goes from one figure to another. The strokes of each stay with it.
     pub(in crate::gui) fn turn_page(&mut self, from: Option<Source>, to: Option<&Source>) {
+        self.turn((from, None), &(to.cloned(), None));
+    }
+
+    /// Follows the steps of a lesson. The strokes of each stay with it.
+    pub(in crate::gui) fn follow_step(&mut self, step: Option<(&str, usize)>) {
+        if self.step.as_ref().map(|(lesson, step)| (lesson.as_str(), *step)) != step {
+            let step = step.map(|(lesson, step)| (lesson.to_owned(), step));
+            let from = std::mem::replace(&mut self.step, step.clone());
+            self.turn((None, from), &(None, step));
+        }
+    }
+
+    fn turn(&mut self, from: Page, to: &Page) {
         let left = std::mem::take(&mut self.strokes);
         if !left.is_empty() {
             self.others.push((from, left));
         }
-        if let Some(index) = self.others.iter().position(|(source, _)| source.as_ref() == to) {
+        if let Some(index) = self.others.iter().position(|(page, _)| page == to) {
             self.strokes = self.others.swap_remove(index).1;
         }
         self.blank = false;

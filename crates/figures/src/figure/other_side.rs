@@ -26,10 +26,14 @@ impl Comparison {
     /// A figure compared in one key. If it has the first of two values, it's compared with the second, else with the
     /// first.
     pub fn of_pair(self, figure: &Figure, key: &str, pair: [&str; 2]) -> Figure {
-        let has_first = own_value(figure, key).as_deref() == Some(pair[0]);
-        let other = quoted(if has_first { pair[1] } else { pair[0] }).to_string();
+        let other = quoted(if Self::stands_left(figure, key, pair[0]) { pair[1] } else { pair[0] }).to_string();
         let compare = Some(Self { with: vec![(key.to_owned(), other)], ops: Vec::new(), ..self });
         Figure { compare, ..figure.clone() }
+    }
+
+    /// True if a figure, which is the left side, has this value of a key.
+    pub fn stands_left(figure: &Figure, key: &str, value: &str) -> bool {
+        own_value(figure, key).as_deref() == Some(value)
     }
 
     /// A comparison with another figure of the same scene: its whole camera, and its styles that differ.

@@ -11,9 +11,8 @@ use std::path::Path;
 use serde_json::json;
 
 use crate::exercises::{self, Exercise};
-use crate::figure::Figure;
 use crate::lessons::{Lesson, Step, Task};
-use crate::{FileError, own_files, read_at_most, sanitize};
+use crate::{FigureFiles, FileError, read_at_most, text_with_files};
 
 /// The most bytes of a page. This version's has less than half of that.
 const MAX_PAGE_BYTES: u64 = 16 << 20;
@@ -74,22 +73,20 @@ pub fn page_with(page: &str, end_of_address: &str) -> String {
     [head, VERSION, begin, &script, end, rest].concat()
 }
 
-/// Refuses figures that name files of the user's own, which neither a page nor a package holds.
+/// The text of a lesson of the user's own with the files that its figures name.
 ///
 /// # Errors
-/// [`FileError::OwnFile`] with the name of one.
-pub fn without_files<'a>(figures: impl IntoIterator<Item = &'a Figure>) -> Result<(), FileError> {
-    let own = figures.into_iter().find_map(|figure| own_files(figure).into_keys().next());
-    own.map_or(Ok(()), |name| Err(FileError::OwnFile(sanitize::path_text(name))))
+/// [`FileError::OwnFile`] with the name of one that can't be read or has no room.
+pub fn lesson_with_files(text: &str, lesson: &Lesson, path: Option<&Path>) -> Result<String, FileError> {
+    text_with_files(text, lesson.steps.iter().map(|step| &*step.figure), &FigureFiles::of_lesson(path, false))
 }
 
 /// A lesson in a package. `opened` is what its page opens: the identifier of a built-in lesson, or the text of another
-/// one.
+/// one, as by [`lesson_with_files`].
 ///
 /// # Errors
-/// [`FileError::OwnFile`] if a step names a file of the user's own, and [`FileError::TooLarge`].
+/// [`FileError::TooLarge`].
 pub fn package(page: String, lesson: &Lesson, opened: &str, course: Course<'_>) -> Result<Vec<u8>, FileError> {
-    without_files(lesson.steps.iter().map(|step| &*step.figure))?;
     let (title, lang, pass) = course;
     let (steps, questions) = (&lesson.steps, questions_of(&lesson.steps));
     let before = &steps[..steps.len().saturating_sub(1)];

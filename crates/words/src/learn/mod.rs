@@ -11,6 +11,18 @@ pub mod moodle;
 /// The words of the dialog that prints lessons and exercises.
 pub mod handouts {
     texts!("learn/handouts");
+
+    texts_with_values! {
+        /// The sentence about a sheet with several versions.
+        versions(lang, count: u32, first: u32, last: u32);
+        /// The sentence about the file of their solutions.
+        solutions_beside(lang, name: &str);
+    }
+
+    /// The name of the file with the solutions, beside a sheet of this name without an ending.
+    pub fn solutions_file(stem: &str, lang: Lang) -> String {
+        format!("{stem}-{}.pdf", super::lessons::texts(lang).solutions.to_lowercase())
+    }
 }
 
 /// The words around the fields for the task of a step.

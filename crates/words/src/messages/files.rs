@@ -60,7 +60,8 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
             env!("CARGO_PKG_VERSION")
         ),
         (Grammar::Portuguese, FileError::OwnFile(own)) => format!(
-            "{name} não pode conter {own}, um arquivo seu; permitido: cenas nomeadas, primitivas e malhas do programa (camera-lab:…)"
+            "{name} não pode conter {own}, um arquivo seu; permitido: arquivos que possam ser lidos e tenham no máximo {} MiB juntos quando compactados",
+            MAX_CARRIED_BYTES >> 20
         ),
         (Grammar::Portuguese, FileError::NotRegular) => after_name(&ReadProblem::NotRegular),
         (Grammar::Portuguese, FileError::Network) => after_name(&ReadProblem::Network),

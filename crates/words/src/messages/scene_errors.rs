@@ -7,6 +7,7 @@ use crate::Grammar;
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MIN_SEGMENTS};
 use crate::sanitize::escaped;
 use crate::scene::{MeshError, SceneError, chain_text};
+use crate::window;
 
 texts!("messages/scene_errors");
 
@@ -22,6 +23,15 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
         | SceneError::Segments { name, .. } => format!("[[scene.objects]] \"{}\": {key} {why}", escaped(name)),
         SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
         _ => format!("[scene] {key} {why}"),
+    }
+}
+
+/// The reason why a mesh that's opened by itself is impossible. It has no section that you could look for.
+pub fn opened_mesh(lang: Lang, error: &SceneError) -> String {
+    let why = scene_wording(lang, error).in_symbols;
+    match error {
+        SceneError::Mesh { error: MeshError::Empty, .. } => format!("{why}. {}", window::texts(lang).paste_camera),
+        _ => why,
     }
 }
 

@@ -11,7 +11,7 @@ const SYNONYMS: &[&[&str]] = &[
     &["near", "near plane", "front plane", "plano da frente", "znear", "plano proximo", "hither"],
     &["far", "far plane", "back plane", "plano de fundo", "zfar", "plano distante", "yon"],
     &["eye", "olho", "camera position", "position", "posicao", "centre of projection", "center of projection", "cop"],
-    &["look at", "lookat", "target", "focal point", "ponto focal", "alvo", "center", "at"],
+    &["lookat", "target", "focal point", "ponto focal", "alvo", "at"],
     &["up", "up vector", "view up", "vup", "para cima"],
     &["lookat", "glulookat", "view matrix", "matriz de vista", "m_v", "other libraries", "outras bibliotecas"],
     &["gluperspective", "glfrustum", "projection matrix", "matriz de projecao", "m_p"],
@@ -111,6 +111,7 @@ const SYNONYMS: &[&[&str]] = &[
     &["progress", "progresso", "exercises", "exercicios"],
     &["import", "importar", "gltf", "glb", "obj", "stl", "ply", "mesh file", "arquivo de malha", "open", "abrir"],
     &["frame", "enquadrar", "fit the image", "ajustar a imagem", "aim at it", "mirar nele"],
+    &["look at", "olhar para", "center", "centre", "centralizar", "aim", "mirar", "aim at it", "mirar nele"],
     &["quiz", "test", "prova", "exercise", "exercicio", "exercises", "exercicios"],
 ];
 

@@ -6,6 +6,7 @@ use crate::appearance::Rgba;
 use crate::drawing::Anchor;
 use crate::export::vector::{Item, Letters, Page, pdf_of};
 use crate::gui::app::command::MENUS;
+use crate::gui::app::presentation;
 use crate::gui::kit::{Command, written};
 use camera_lab_desk::Model;
 use camera_lab_words::{Lang, window};
@@ -17,14 +18,14 @@ const KEYS: f32 = 118.0;
 const SIZE: f32 = 8.8;
 const LINE: f32 = 13.2;
 
-/// The menus with their commands: the keys of each, and its name.
+/// The menus with their commands, and the letters of a presentation: the keys of each, and its name.
 fn menus(model: &Model, lang: Lang) -> Vec<(&'static str, Vec<[String; 2]>)> {
     let (t, ctx) = (window::texts(lang), Context::default());
     let mut menus: Vec<(&str, Vec<[String; 2]>)> = Vec::new();
     for menu in MENUS {
         let row = |command: &Command| {
             let keys: Vec<String> = command.keys(model).map(|keys| written(&ctx, &keys, lang)).collect();
-            (!keys.is_empty()).then(|| [keys.join(", "), command.label(t).trim_end_matches('…').to_owned()])
+            (!keys.is_empty()).then(|| [keys.join(", "), named(*command, t)])
         };
         let rows = menu.groups(model).flatten().filter_map(|command| row(&command));
         // Some menus have a part that isn't in the bar.
@@ -34,7 +35,13 @@ fn menus(model: &Model, lang: Lang) -> Vec<(&'static str, Vec<[String; 2]>)> {
         }
     }
     menus.retain(|(_, rows)| !rows.is_empty());
+    let letters = presentation::KEYS.iter().map(|(keys, command)| [written(&ctx, keys, lang), named(*command, t)]);
+    menus.push((t.presentation, letters.collect()));
     menus
+}
+
+fn named(command: Command, t: &window::Texts) -> String {
+    command.label(t).trim_end_matches('…').to_owned()
 }
 
 /// The keys as lines of text.
@@ -49,7 +56,7 @@ pub fn keys_text(model: &Model, lang: Lang) -> String {
 /// The keys as one page of paper, a PDF file. `None` if its fonts can't be read.
 pub fn keys_pdf(model: &Model, lang: Lang) -> Option<Vec<u8>> {
     let (ink, faint) = (Rgba::rgb(0x16, 0x1a, 0x22), Rgba::rgb(0x66, 0x66, 0x66));
-    let title = window::texts(lang).help_commands;
+    let title = window::texts(lang).keys_title;
     let mut items = vec![Item::text(title.to_owned(), [BORDER, BORDER + 10.0], 14.0, ink, Anchor::Left)];
     let (top, width) = (BORDER + 26.0, (PAPER[0] - 2.0 * BORDER) / 2.0);
     let menus = menus(model, lang);

@@ -484,7 +484,7 @@ fn save(state: &mut State, ctx: &Context) {
 }
 
 /// Opens the list of lessons, including those of the figures' folder.
-fn show_lessons(state: &mut State) {
+pub(in crate::gui::app) fn show_lessons(state: &mut State) {
     state.learn.look_for_lessons(&state.model, state.gallery.folder(), &state.recent.files);
     state.file_flow.show(Dialog::Lessons);
 }

@@ -164,7 +164,8 @@ impl FileKind {
 
     /// The proposed path.
     pub(in crate::gui) fn proposal(&self) -> PathBuf {
-        if self.name.is_empty() { self.folder.clone() } else { self.folder.join(&self.name) }
+        // Without a name, a folder ends with its separator.
+        if self.folder.as_os_str().is_empty() { PathBuf::from(&self.name) } else { self.folder.join(&self.name) }
     }
 
     /// The path with an ending of this kind, if it's to be written.

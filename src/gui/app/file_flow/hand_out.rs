@@ -7,9 +7,9 @@ use eframe::egui;
 use crate::gui::app::file_flow;
 use crate::gui::app::file_flow::questions::{HandOut, Purpose};
 use crate::gui::app::state::State;
-use camera_lab_files::hand_out::{PAGE_NAME, USUAL_PASS, of_shipped, package, page_with, read_page, without_files};
+use camera_lab_files::hand_out::{PAGE_NAME, USUAL_PASS, lesson_with_files, of_shipped, package, page_with, read_page};
 use camera_lab_files::share::{Held, fragment};
-use camera_lab_files::{self as files, FileError};
+use camera_lab_files::{self as files, FileError, text_with_files};
 use camera_lab_words::told;
 
 /// Asks for the file to write. The page in one file lies beside the program, or is where the user found it last.
@@ -20,9 +20,7 @@ pub(in crate::gui) fn begin(ctx: &egui::Context, state: &mut State, what: HandOu
     if cfg!(target_arch = "wasm32") || !state.learn.save_text(&mut state.model) {
         return;
     }
-    let figures = state.learn.lesson.as_ref().map(|playing| playing.lesson.steps.iter().map(|step| &*step.figure));
-    let own = figures.map_or_else(|| without_files([state.model.desk.shown.figure()]), without_files);
-    if let Err(error) = own {
+    if let Err(error) = opened(state) {
         // Before anything is asked.
         return state.model.say(camera_lab_desk::Message::File(PAGE_NAME.into(), error));
     }
@@ -47,20 +45,30 @@ pub(super) fn bytes(state: &State, what: HandOut, page: &Path) -> Result<Vec<u8>
     if cfg!(target_arch = "wasm32") {
         return Err(FileError::OtherPage);
     }
-    let page = read_page(page)?;
-    let Some(playing) = &state.learn.lesson else {
-        without_files([state.model.desk.shown.figure()])?;
-        let figure = fragment(Held::Figure, &file_flow::text_as_shown(&state.model));
-        return Ok(page_with(&page, &figure).into_bytes());
-    };
-    let (lesson, id) = (&playing.lesson, &playing.lesson.id);
-    let own = playing.path.as_deref().map(files::read_lesson).transpose()?.map(|(_, text)| text);
-    if what == HandOut::Course {
-        let lang = state.model.settings.lang;
+    let (page, opened) = (read_page(page)?, opened(state)?);
+    let lang = state.model.settings.lang;
+    let playing = state.learn.lesson.as_ref();
+    if let Some(lesson) = playing.map(|playing| &playing.lesson).filter(|_| what == HandOut::Course) {
         let course = (told(lang, &lesson.title), lang.tag(), USUAL_PASS);
-        return package(page, lesson, own.as_deref().unwrap_or(id), course);
+        return package(page, lesson, &opened, course);
     }
-    without_files(lesson.steps.iter().map(|step| &*step.figure))?;
-    let opens = own.map_or_else(|| of_shipped(id), |text| fragment(Held::Lesson, &text));
-    Ok(page_with(&page, &opens).into_bytes())
+    let end = match playing {
+        None => fragment(Held::Figure, &opened),
+        Some(playing) if playing.path.is_none() => of_shipped(&opened),
+        Some(_) => fragment(Held::Lesson, &opened),
+    };
+    Ok(page_with(&page, &end).into_bytes())
+}
+
+/// The text that the file opens, with the files that it names: that of the figure or of the user's own lesson. The
+/// identifier of a built-in lesson.
+fn opened(state: &State) -> Result<String, FileError> {
+    let Some(playing) = &state.learn.lesson else {
+        let shown = &state.model.desk.shown;
+        return text_with_files(&file_flow::text_as_shown(&state.model), [shown.figure()], &shown.files());
+    };
+    match playing.path.as_deref() {
+        Some(path) => lesson_with_files(&files::read_lesson(path)?.1, &playing.lesson, Some(path)),
+        None => Ok(playing.lesson.id.clone()),
+    }
 }

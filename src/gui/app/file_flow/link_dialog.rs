@@ -1,5 +1,7 @@
 //! The figure as a link: its purpose, its address, and its length.
 
+use std::collections::BTreeSet;
+
 use eframe::egui::{self, RichText};
 
 use crate::figure::Figure;
@@ -10,8 +12,8 @@ use crate::gui::learn::Learn;
 use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
 use crate::sanitize;
 use camera_lab_desk::{Memo, Message, Model};
-use camera_lab_files as files;
 use camera_lab_files::share::{self, Held, ShareError};
+use camera_lab_files::{self as files, FigureFiles};
 use camera_lab_words::window::{Texts, sharing};
 
 /// The address of links, and the link that a dialog shows.
@@ -25,8 +27,11 @@ pub struct Sharing {
     pub page_file: std::path::PathBuf,
     /// The shown link, by the address and whether it holds a whole lesson. Computed when the dialog is opened, since
     /// nothing behind it changes.
-    link: Memo<(String, bool), Result<String, ShareError>>,
+    link: Memo<(String, bool), Result<Link, ShareError>>,
 }
+
+/// A link, and the names of the files that it leaves out.
+type Link = (String, Vec<String>);
 
 /// Shows the dialog, with the reason why it's `asked` for. Returns the dialog that stays open. `first` is true when it
 /// has just been opened.
@@ -49,7 +54,8 @@ pub(in crate::gui) fn show(
     if address.is_empty()
         && let Some(why) = asked
     {
-        complaint(ui, &why.text(model.settings.lang));
+        // Nothing is wrong yet.
+        ui.strong(why.text(model.settings.lang));
         ui.add_space(6.0);
     }
     if let Some(playing) = learn.lesson.as_mut().filter(|playing| playing.path.is_some()) {
@@ -58,7 +64,7 @@ pub(in crate::gui) fn show(
     }
     let link = sharing.link(model, learn, first);
     match &link {
-        Ok(link) => {
+        Ok((link, _)) => {
             // If the clipboard is out of reach, the user can copy the link from here.
             let mut shown = link.as_str();
             let field = TextField::fixed_line(&mut shown);
@@ -69,13 +75,9 @@ pub(in crate::gui) fn show(
         }
         Err(error) => complaint(ui, &camera_lab_words::messages::link(model.settings.lang, *error)),
     }
-    let whole = learn.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
-    let own = match whole {
-        Some(playing) => playing.lesson.steps.iter().flat_map(|step| own_files(&step.figure)).collect(),
-        None => own_files(model.desk.shown.figure()),
-    };
-    let own: Vec<String> = std::collections::BTreeSet::from_iter(own).into_iter().collect();
-    if !own.is_empty() {
+    if let Ok((_, own)) = &link
+        && !own.is_empty()
+    {
         complaint(ui, &format!("{} {}", words.own_files, sanitize::within(&own.join(", "), 200)));
     }
     ui.add_space(10.0);
@@ -87,7 +89,7 @@ pub(in crate::gui) fn show(
     match buttons(ui, t.cancel, actions, (first && asked.is_none()).then_some(0)) {
         Pressed::Action(1) => return Some(Dialog::Qr),
         Pressed::Action(_) => {
-            if let Ok(link) = link {
+            if let Ok((link, _)) = link {
                 let length = link.len();
                 ui.ctx().copy_text(link);
                 model.say(Message::LinkCopied(length));
@@ -109,7 +111,7 @@ impl Sharing {
     ///
     /// # Errors
     /// [`ShareError`] if the figure makes it too long.
-    pub(in crate::gui) fn link(&mut self, model: &Model, learn: &Learn, first: bool) -> Result<String, ShareError> {
+    pub(in crate::gui) fn link(&mut self, model: &Model, learn: &Learn, first: bool) -> Result<Link, ShareError> {
         if first {
             self.link.forget();
         }
@@ -136,26 +138,44 @@ impl Sharing {
     }
 }
 
-/// The link: for a built-in lesson to its step, otherwise with the whole figure in it.
-fn made(model: &Model, learn: &Learn, address: &str) -> Result<String, ShareError> {
+/// The link: for a built-in lesson to its step, otherwise with the whole figure or lesson in it.
+fn made(model: &Model, learn: &Learn, address: &str) -> Result<Link, ShareError> {
     let of_program = learn.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
     if let Some(playing) = of_program {
         let lang = model.settings.lang.tag();
-        return Ok(format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1));
+        let link = format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1);
+        return Ok((link, Vec::new()));
     }
-    if let Some(text) = whole_lesson(learn) {
-        return share::link(address, Held::Lesson, &text);
+    let whole = learn.lesson.as_ref().filter(|playing| playing.links_whole);
+    let whole = whole.and_then(|playing| Some((playing, playing.path.as_deref()?)));
+    if let Some((playing, path)) = whole
+        && let Ok((_, text)) = files::read_lesson(path)
+    {
+        let figures = playing.lesson.steps.iter().map(|step| &*step.figure);
+        return with_files(address, Held::Lesson, &text, figures, &FigureFiles::of_lesson(Some(path), false));
     }
-    share::link(address, Held::Figure, &file_flow::text_as_shown(model))
+    figure_link(model, address)
 }
 
-/// The text of the user's own lesson that is being played, if the link is to hold all of it.
-fn whole_lesson(learn: &Learn) -> Option<String> {
-    let playing = learn.lesson.as_ref().filter(|playing| playing.links_whole)?;
-    files::read_lesson(playing.path.as_deref()?).ok().map(|(_, text)| text)
+/// The link to the figure on the screen.
+pub(in crate::gui) fn figure_link(model: &Model, address: &str) -> Result<Link, ShareError> {
+    let shown = &model.desk.shown;
+    let text = file_flow::text_as_shown(model);
+    with_files(address, Held::Figure, &text, std::iter::once(shown.figure()), &shown.files())
 }
 
-/// The files that a figure names and that aren't part of the program.
-fn own_files(figure: &Figure) -> Vec<String> {
-    files::own_files(figure).into_keys().map(sanitize::path_text).collect()
+/// A link with the files that the figures name, unless it's too long with them.
+fn with_files<'a>(
+    address: &str,
+    held: Held,
+    text: &str,
+    figures: impl Iterator<Item = &'a Figure> + Clone,
+    from: &FigureFiles,
+) -> Result<Link, ShareError> {
+    let whole = files::text_with_files(text, figures.clone(), from);
+    if let Some(link) = whole.ok().and_then(|whole| share::link(address, held, &whole).ok()) {
+        return Ok((link, Vec::new()));
+    }
+    let own: BTreeSet<&str> = figures.flat_map(|figure| files::own_files(figure).into_keys()).collect();
+    Ok((share::link(address, held, text)?, own.into_iter().map(sanitize::path_text).collect()))
 }

@@ -65,7 +65,7 @@ pub(super) fn read(path: PathBuf) -> Take {
                 recent.add(&files::whole(&path));
                 model.say(Message::Opened(path));
             }
-            Err(error) => model.say(Message::Impossible(path, error)),
+            Err(message) => model.say(*message),
         })
     } else {
         let opened = files::open_figure_with_any_camera(&path).map(|(opened, _)| opened);

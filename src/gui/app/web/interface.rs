@@ -10,10 +10,10 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{KeyboardEvent, Window};
 
 use crate::gui::app::file_flow;
+use crate::gui::app::file_flow::link_dialog::figure_link;
 use crate::gui::app::web::{Page, arrive};
 use crate::gui::kit::Command;
 use camera_lab_files::disk::page;
-use camera_lab_files::share::{self, Held};
 
 /// Offers the object to the page.
 pub(in crate::gui) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> {
@@ -33,8 +33,8 @@ pub(in crate::gui) fn offer(window: &Window, runner: &WebRunner) -> Result<(), J
     let link = Closure::<dyn Fn() -> Result<JsValue, JsValue>>::new(move || {
         let Some(page) = of.app_mut::<Page>() else { return Ok(JsValue::NULL) };
         let address = page.app.state.sharing.own_address.clone().unwrap_or_default();
-        let link = share::link(&address, Held::Figure, &file_flow::text_as_shown(&page.app.state.model));
-        link.map(JsValue::from).map_err(|error| js_sys::Error::new(&error.to_string()).into())
+        let link = figure_link(&page.app.state.model, &address);
+        link.map(|(link, _)| JsValue::from(link)).map_err(|error| js_sys::Error::new(&error.to_string()).into())
     });
     Reflect::set(&lab, &"link".into(), &link.into_js_value())?;
     let of = runner.clone();

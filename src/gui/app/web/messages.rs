@@ -21,6 +21,7 @@ use crate::picture::{self, FileOptions, Metadata};
 use crate::progress::{Progress, at_once};
 use crate::views::{Size, View, Views};
 use camera_lab_desk::{Document, Revision};
+use camera_lab_files::share::{self, Held};
 use camera_lab_files::{self as files, disk::page};
 use camera_lab_words::{families, handout, messages as said};
 
@@ -57,8 +58,8 @@ pub(super) fn asked(page: &mut Page, what: &str, one: String, two: &str) -> Resu
             let (lesson, path) = match shipped().iter().find(|shipped| shipped.lesson.id == one) {
                 Some(shipped) => (Arc::clone(&shipped.lesson), None),
                 None => {
-                    let path = PathBuf::from("lesson.toml");
-                    page::give(path.clone(), one.into_bytes());
+                    // A link carries the files of the lesson.
+                    let path = PathBuf::from(share::fragment(Held::Lesson, &one));
                     let read = files::read_lesson(&path).map_err(|error| said::file(lang, "lesson", &error))?;
                     (Arc::new(read.0), Some(path))
                 }

@@ -91,8 +91,9 @@ fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
     let visuals = ui.visuals();
     job.append(&format!("{sign} "), 0.0, format(TextStyle::Body, visuals.weak_text_color()));
     job.append(title, 0.0, format(TextStyle::Body, visuals.text_color()));
+    // The source may be cut at the end of a narrow row.
     let minutes = entry.minutes.map_or_else(String::new, |minutes| format!("  {minutes} min"));
-    job.append(&format!("  {}{minutes}", entry.source), 0.0, format(TextStyle::Small, visuals.weak_text_color()));
+    job.append(&format!("{minutes}  {}", entry.source), 0.0, format(TextStyle::Small, visuals.weak_text_color()));
     let button = Button::selectable(false, job).truncate();
     let response = ui.with_layout(egui::Layout::top_down_justified(egui::Align::LEFT), |ui| ui.add(button)).inner;
     response.widget_info(|| {

@@ -10,7 +10,7 @@ use crate::lessons::{OpenLesson, shipped};
 use camera_lab_desk::Model;
 use camera_lab_words::file_names::name_of_title;
 use camera_lab_words::handout::{MAX_VERSIONS, Solutions};
-use camera_lab_words::learn::handouts::{Texts, texts};
+use camera_lab_words::learn::handouts::{Texts, solutions_beside, solutions_file, texts, versions};
 use camera_lab_words::learn::{exercises, lessons as words};
 use camera_lab_words::{Lang, told, window};
 
@@ -27,10 +27,12 @@ const SHAPE: f32 = 595.0 / 842.0;
 impl HandoutForm {
     /// The name of its file, without an ending.
     pub(in crate::gui) fn stem(&self) -> String {
-        match &self.lesson {
+        let t = texts(self.options.lang);
+        let name = match &self.lesson {
             Some(open) => name_of_title(told(self.options.lang, &open.lesson.title)).unwrap_or(open.lesson.id.clone()),
-            None => texts(self.options.lang).file.to_owned(),
-        }
+            None => t.file.to_owned(),
+        };
+        if self.shows_solutions() { format!("{name}-{}", t.file_with_solutions) } else { name }
     }
 }
 
@@ -118,9 +120,16 @@ fn settings(ui: &mut Ui, t: &Texts, model: &Model, learn: &Learn, form: &mut Han
                 *last = if is_one { *first } else { (*last).clamp(*first, most) };
                 field(ui, t.until, t.until_hint, *first..=most, last);
             });
+            let [first, last] = form.seeds;
+            let mut lines =
+                if first < last { versions(t.lang, last - first + 1, first, last) } else { t.one_version.to_owned() };
+            if first < last && has_answers {
+                lines += &format!(". {}", solutions_beside(t.lang, &solutions_file(&form.stem(), form.options.lang)));
+            }
+            ui.add(egui::Label::new(RichText::new(lines).small().weak()).wrap());
             ui.add_space(4.0);
             ui.label(t.choose);
-            chosen_exercises(ui, model, learn, form, height - 150.0);
+            chosen_exercises(ui, model, learn, form, height - 172.0);
         }
     }
 }
@@ -185,7 +194,7 @@ fn page(ui: &mut Ui, t: &Texts, learn: &Learn, shown: &mut Option<PagesPreview>,
     if form.is_whole() {
         let zoom = size.x * ui.pixels_per_point();
         let choices = (form.lesson.clone(), form.exercises.clone(), form.seeds, form.options);
-        pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(learn));
+        pages.follow(ui.ctx(), choices, (form.page, zoom), || form.job(learn).first_file());
     }
     let count = pages.count.max(1);
     form.page = form.page.min(count - 1);

@@ -3,7 +3,7 @@
 use crate::gui::learn::Learn;
 use crate::lessons::{OpenLesson, shipped};
 use camera_lab_desk::{Content, Job};
-use camera_lab_words::handout::{HandoutOptions, Solutions, Version};
+use camera_lab_words::handout::{HandoutOptions, MAX_VERSIONS, Solutions, Version};
 
 /// The greatest number for choosing the numbers of the exercises.
 pub(in crate::gui) const MAX_SEED: u32 = 9_999;
@@ -41,6 +41,8 @@ impl HandoutForm {
         };
         let known = |id: &&String| learn.exercises.entries().any(|entry| entry.id == **id);
         let mut chosen: Vec<String> = learn.ticks_before.iter().filter(known).cloned().collect();
+        let of_open = open.and_then(|open| u32::try_from(open.seed).ok()).filter(|seed| *seed <= MAX_SEED);
+        let of_open = of_open.unwrap_or_default();
         // One that has the numbers of the sheet.
         let first = crate::exercises::entries().find(|entry| entry.is_family).map(|entry| entry.id.to_string());
         if chosen.is_empty() {
@@ -49,23 +51,21 @@ impl HandoutForm {
         Self {
             lesson: is_lesson.then(|| played(learn)).flatten(),
             exercises: chosen,
-            seeds: [open
-                .and_then(|open| u32::try_from(open.seed).ok())
-                .filter(|seed| *seed <= MAX_SEED)
-                .unwrap_or_default(); 2],
+            seeds: learn.ticks_before.iter().find_map(|tick| numbers(tick)).unwrap_or([of_open; 2]),
             options,
             address,
             page: 0,
         }
     }
 
-    /// Its ticks for the next run of the program: the words of those that differ from a new dialog's, and the
-    /// exercises.
+    /// Its ticks for the next run of the program: the words of those that differ from a new dialog's, the numbers, and
+    /// the exercises.
     pub(in crate::gui) fn ticks(&self) -> Vec<String> {
         let HandoutOptions { answers, late, plan, columns, .. } = self.options;
         let words = [("answers", answers != Solutions::None), ("early", !late), ("plan", plan), ("small", columns > 1)];
         let words = words.into_iter().filter(|(_, on)| *on).map(|(word, _)| word.to_owned());
-        words.chain(self.exercises.iter().cloned()).collect()
+        let [first, last] = self.seeds;
+        words.chain([format!("{first}-{last}")]).chain(self.exercises.iter().cloned()).collect()
     }
 
     /// Everything that the handout depends on.
@@ -89,10 +89,22 @@ impl HandoutForm {
         Job { content, options, address: self.address.clone() }
     }
 
+    /// True if the solutions stand in the file of the questions.
+    pub(in crate::gui) fn shows_solutions(&self) -> bool {
+        self.options.answers != Solutions::None && (self.lesson.is_some() || self.seeds[0] == self.seeds[1])
+    }
+
     /// True if there's something to print.
     pub(in crate::gui) fn is_whole(&self) -> bool {
         self.lesson.is_some() || !self.exercises.is_empty()
     }
+}
+
+/// The numbers of the sheet among the ticks.
+fn numbers(tick: &str) -> Option<[u32; 2]> {
+    let (first, last) = tick.split_once('-')?;
+    let [first, last] = [first.parse().ok()?, last.parse().ok()?];
+    (first <= last && last <= MAX_SEED && last - first < MAX_VERSIONS).then_some([first, last])
 }
 
 /// The lesson being played, or the one to which steps were added last, or the first built-in one.

@@ -5,7 +5,7 @@ use eframe::egui::{Button, Id, RichText, Ui};
 
 use super::quantity_menu::name_with_numbers;
 use super::writing::{FIELDS_OF_STEP, Fields, Writing};
-use crate::figure::Figure;
+use crate::figure::{Figure, FigureError};
 use crate::gui::kit::{Explained, TextField, number_field};
 use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::writing::StepChange;
@@ -27,7 +27,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn
     let (step, count) = (playing.step, playing.lesson.steps.len());
     let (is_ahead, has_no_task) = (writing.is_ahead(), writing.typed.task.kind == TaskKind::None);
     let is_unfinished = writing.shows == Fields::Task && writing.typed.task.is_unfinished();
-    let fault = writing.fault.as_ref().map(|fault| messages::without_line(t.lang, fault));
+    let fault = writing.fault.as_ref().map(|fault| in_words(t, fault));
     let task = lesson_tasks::texts(t.lang);
     let (mut change, mut asks) = (None, false);
     ui.horizontal_wrapped(|ui| {
@@ -79,6 +79,22 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn
         }
         learn.text_edited(now);
     }
+}
+
+/// The reason why a text can't be written, with the name of its field in place of the key.
+fn in_words(t: &Texts, fault: &FigureError) -> String {
+    let field = match fault.key.as_str() {
+        "[[step]] title" => t.step_title_field,
+        "[[step]] text" => t.step_text_field,
+        "[[step]] notes" => t.notes_command,
+        "title" => t.lesson_title_field,
+        "sentence" => t.lesson_sentence_field,
+        "minutes" => t.lesson_minutes_field,
+        _ => return messages::without_line(t.lang, fault),
+    };
+    // The name of a field, without what it explains.
+    let key = format!("“{}”", field.split(" (").next().unwrap_or(field));
+    messages::without_line(t.lang, &FigureError { key, ..fault.clone() })
 }
 
 /// The fields of the step, of its task, or of the whole lesson.

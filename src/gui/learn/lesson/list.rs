@@ -13,7 +13,7 @@ use camera_lab_words::{told, window};
 pub(in crate::gui) const WIDTH: f32 = 620.0;
 
 /// Shows the list. A chosen lesson is played. Returns false if the list is to be closed.
-pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> bool {
+pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn, first: bool) -> bool {
     let lang = model.settings.lang;
     let t = words::texts(lang);
     ui.heading(t.lessons);
@@ -49,7 +49,12 @@ pub(in crate::gui) fn show(ui: &mut Ui, model: &mut Model, learn: &Learn) -> boo
             let (done, all) = learn.done_of(lesson);
             ui.horizontal_wrapped(|ui| {
                 let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
-                if ui.link(title).clicked() {
+                let link = ui.link(title);
+                // Enter goes on.
+                if first && next == Some(k) {
+                    link.request_focus();
+                }
+                if link.clicked() {
                     // An unfinished lesson continues from its last step, and a finished one starts again.
                     let step = if learn.is_finished(lesson) { 0 } else { learn.step_to_go_on(lesson) };
                     chosen = Some(OpenLesson { lesson: lesson.clone(), path: None, step });

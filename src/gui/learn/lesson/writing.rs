@@ -412,6 +412,11 @@ impl Learn {
                     };
                     // A step that begins takes the message of the one before it away.
                     self.go_on_changed(model, lesson, change, step, then);
+                    let writing = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+                    if let Some(writing) = writing.filter(|_| change == StepChange::Another) {
+                        // The fields of a question would take the title that you type first.
+                        writing.shows = Fields::Step;
+                    }
                     message.into_iter().for_each(|message| model.say(message));
                 }
             }

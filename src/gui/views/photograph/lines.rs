@@ -47,6 +47,10 @@ impl Canvas {
         if let Some(grip) = removed {
             photograph.remove(grip);
         }
+        // A drag is one step.
+        if !ui.input(|input| input.pointer.any_down()) {
+            photograph.settle(&given);
+        }
         let found = photograph.camera(image, &given).ok();
         paint(ui, settings, photograph, pane, &place, found.as_ref());
     }
