@@ -94,6 +94,8 @@ make_tar() {
     mkdir -p "$folder/$name/docs" "$folder/$name/assets"
     cp -r docs/*.md docs/images "$folder/$name/docs"
     cp -r assets/figures "$folder/$name/assets"
+    # The window hands it out if it lies beside the program.
+    [ ! -f "$out/camera-lab.html" ] || cp "$out/camera-lab.html" "$folder/$name"
     tar --sort=name --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX --mtime="@$SOURCE_DATE_EPOCH" \
         -C "$folder" -cf - "$name" | gzip -9n >"$out/$name.tar.gz"
     rm -rf "$folder"

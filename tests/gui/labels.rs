@@ -7,6 +7,7 @@ use camera_lab::figure::{Comparison, Labels, Measure, NotePlace, Outside};
 use camera_lab::scene::Preset;
 use camera_lab::views::{LabelPlace, View};
 use camera_lab_words::Lang;
+use camera_lab_words::window::labels as labels_words;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
@@ -51,6 +52,26 @@ fn write(window: &mut Window, field: &str, text: &str) {
     window.command_key(Key::A);
     window.harness.event(Event::Text(text.to_owned()));
     window.run();
+}
+
+/// A figure of the notes has a few names: all are hidden, and those that it needs come back.
+#[test]
+fn all_labels_are_hidden_at_once_and_single_ones_come_back() {
+    let mut window = window(Lang::En);
+    let t = labels_words::texts(Lang::En);
+    window.click(t.hide_all);
+    assert!(shown(&mut window, "C").is_none() && shown(&mut window, "far").is_none());
+    window.click("C");
+    assert!(shown(&mut window, "C").is_some() && shown(&mut window, "far").is_none());
+    // Delete hides the chosen one.
+    let place = shown(&mut window, "C").unwrap().1;
+    window.click_at(place);
+    window.key(Key::Delete);
+    assert!(shown(&mut window, "C").is_none());
+    for _ in 0..3 {
+        window.command_key(Key::Z);
+    }
+    assert!(shown(&mut window, "far").is_some());
 }
 
 #[test]

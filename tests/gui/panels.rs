@@ -373,6 +373,11 @@ fn operations_are_kept_in_the_figure() {
     }
     assert_eq!(shown(&mut window), ["azimuth=15", "zoom=1.25"]);
     assert!(window.says("Azimuth 15° · Zoom × 1.25"));
+    // Another camera has no such way. A message says so, and undoing brings both back.
+    window.enter("C x", "7");
+    assert!(shown(&mut window).is_empty() && window.says(t.operations_gone));
+    window.command_key(Key::Z);
+    assert_eq!(shown(&mut window), ["azimuth=15", "zoom=1.25"]);
     window.enter("C x", "7");
     window.click(t.roll);
     window.click("Roll −");

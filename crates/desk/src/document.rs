@@ -49,6 +49,8 @@ pub struct Document {
     history: History,
     /// See [`Self::has_stand_in_camera`].
     stands_in: bool,
+    /// True if kept operations have left the figure, until [`Self::take_operations_gone`].
+    operations_gone: bool,
 }
 
 /// The viewpoints of a figure, its explanations, and the layout of the window.
@@ -111,6 +113,7 @@ impl Document {
             opened: figure.camera,
             figure,
             stands_in: false,
+            operations_gone: false,
         })
     }
 
@@ -339,9 +342,15 @@ impl Document {
         if is_another && self.history.leads_elsewhere(&self.figure.show, &self.camera) {
             // They'd explain a move that the camera hasn't made.
             self.figure.show.operations.clear();
+            self.operations_gone = true;
         }
         (is_another || self.history.shows_other(&self.figure.show))
             && self.history.commit((&self.figure, self.revision), &self.camera, &self.draft)
+    }
+
+    /// True once after kept operations have left the figure, because they don't lead to its camera.
+    pub fn take_operations_gone(&mut self) -> bool {
+        take(&mut self.operations_gone)
     }
 
     /// True if there is a step to undo (`back`), or to redo.

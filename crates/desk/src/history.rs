@@ -98,17 +98,17 @@ fn edited(figure: &Figure) -> Figure {
 /// The parts of `[show]` that are choices. Parts set by pointing, playing, or a panel aren't.
 fn chosen(show: &Show) -> impl PartialEq {
     let triangle = show.triangle.as_ref().map(|triangle| (&triangle.object, triangle.index));
-    (show.stage, show.stage_of, triangle, &show.measure, &show.measure_of)
+    (show.stage, show.stage_of, triangle, &show.measure, &show.measure_of, &show.operations)
 }
 
 /// The present `[show]`, with the choices of then.
 fn with_chosen(now: &Show, then: &Show) -> Show {
-    let Show { stage, stage_of, triangle, measure, measure_of, .. } = then.clone();
+    let Show { stage, stage_of, triangle, measure, measure_of, operations, .. } = then.clone();
     let is_of = |triangle: &ShownTriangle| (triangle.object.clone(), triangle.index);
     // For the same triangle, its step and its pixel stay.
     let triangle =
         if now.triangle.as_ref().map(is_of) == triangle.as_ref().map(is_of) { now.triangle.clone() } else { triangle };
-    Show { stage, stage_of, triangle, measure, measure_of, ..now.clone() }
+    Show { stage, stage_of, triangle, measure, measure_of, operations, ..now.clone() }
 }
 
 /// The steps.

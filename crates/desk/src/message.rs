@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::camera::CameraError;
+use crate::export::png::PngError;
 use crate::export_error::ExportError;
 use crate::pipeline::OverBudget;
 use crate::sanitize;
@@ -13,7 +14,7 @@ use camera_lab_words::Lang;
 use camera_lab_words::learn::{exercise_messages, lessons};
 use camera_lab_words::messages::{self, faults};
 use camera_lab_words::why::explain_point;
-use camera_lab_words::window::{self, cameras, canvas, compare, scenes, sessions, sharing};
+use camera_lab_words::window::{self, cameras, canvas, compare, photograph, scenes, sessions, sharing};
 
 /// A message at the bottom of the window.
 #[derive(Debug)]
@@ -26,7 +27,11 @@ pub enum Message {
         number: usize,
         /// Number of figures.
         of: usize,
+        /// True if the figure before it has changes that aren't saved. It waits in its place.
+        leaves_work: bool,
     },
+    /// The kept operations don't lead to the camera any more, so they've left the figure.
+    OperationsGone,
     /// The reason why a file was skipped, and the number of other skipped files.
     AndMore(Box<Self>, usize),
     /// No figure before this one.
@@ -160,7 +165,9 @@ impl Message {
         let about = |words: &str, path: &Path| format!("{words} {}", sanitize::path(path));
         match self {
             Self::NumbersCopied => (News, t.copied.to_owned()),
-            Self::Step { number, of } => (News, format!("{number} / {of}")),
+            Self::Step { number, of, leaves_work: false } => (News, format!("{number} / {of}")),
+            Self::Step { number, of, .. } => (News, format!("{number} / {of} · {}", t.work_waits)),
+            Self::OperationsGone => (News, t.operations_gone.to_owned()),
             Self::AndMore(first, more) => (Error, exercise_messages::and_more(lang, &first.text(lang), *more)),
             Self::StepAdded(path, number, None) => (News, lessons::step_added(lang, &sanitize::path(path), *number)),
             Self::StepAdded(path, number, Some(left_out)) => {
@@ -171,7 +178,11 @@ impl Message {
                 (Error, format!("{}: {}", sanitize::path(path), messages::out_of_reach(lang, left_out)))
             }
             Self::StepTook(keys) if keys.is_empty() => (News, lessons::texts(lang).took_nothing.to_owned()),
-            Self::StepTook(keys) => (News, format!("{} {}", lessons::texts(lang).took, keys.join(", "))),
+            Self::StepTook(keys) => {
+                let mut words: Vec<String> = keys.iter().map(|key| window::key_in_words(lang, key)).collect();
+                words.dedup();
+                (News, format!("{} {}", lessons::texts(lang).took, words.join(", ")))
+            }
             Self::StepNotKept(path, error) => {
                 let why = messages::file(lang, &sanitize::path(path), error);
                 (Error, format!("{}: {why}", lessons::texts(lang).not_written))
@@ -198,20 +209,23 @@ impl Message {
             Self::LinkCopied(length) => (News, format!("{} {length} {}", sharing.copied, sharing.characters)),
             Self::LinkRefused(link) => (Error, format!("{} {}", t.link_refused, sanitize::within(link, 120))),
             Self::LinkOpened => (News, sharing.opened.to_owned()),
+            // A picture without a figure may be meant as a photograph.
+            Self::File(path, error @ (FileError::Png(PngError::NoFigure) | FileError::OtherPicture(_))) => {
+                let why = messages::file(lang, &messages::opened(lang, path), error);
+                (Error, format!("{why}. {}", photograph::texts(lang).not_a_figure))
+            }
             Self::File(path, error) => (Error, messages::file(lang, &messages::opened(lang, path), error)),
             Self::NotOpened(path, error) => {
                 (Error, format!("{}: {}", messages::opened(lang, path), messages::camera(lang, error)))
             }
-            Self::NoScene(path, error) => {
-                (Error, format!("{}: {}", messages::opened(lang, path), messages::opened_mesh(lang, error)))
-            }
+            Self::NoScene(path, error) => (Error, messages::opened_mesh(lang, &messages::opened(lang, path), error)),
             Self::NotSaved(error) => (Error, format!("{} {}", t.not_saved, faults::camera_error(lang, error))),
             Self::Impossible(path, error) => (
                 Error,
                 format!("{}: {}. {}", messages::opened(lang, path), messages::camera(lang, error), t.numbers_in_fields),
             ),
             Self::Camera(error) => (Error, faults::camera_error(lang, error)),
-            Self::Scene(error) => (Error, messages::scene(lang, error)),
+            Self::Scene(error) => (Error, messages::scene_in_window(lang, error)),
             Self::NoPhotograph(notice) => (Error, messages::mesh_notice(lang, notice)),
             Self::OverBudget(over_budget) => (Error, messages::over_budget(lang, over_budget)),
             Self::Exporting => (Lasting, t.exporting.to_owned()),

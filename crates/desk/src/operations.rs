@@ -17,7 +17,7 @@ pub struct Operations {
     pub steps: [f64; OPERATIONS.len()],
     /// The operation whose slider is shown.
     open: Freedom,
-    /// The rows above it that are still open, because the pointer is over the rows, so that none moves under it.
+    /// The rows above it that are still open, so that no row moves under the pointer.
     open_above: Vec<Freedom>,
     /// Predictions of the effect of an operation, before it's done.
     pub predict: Predict,

@@ -440,7 +440,10 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     let response = field.show(ui, state.model.settings.lang).accessible_name(t.path_name);
     if first {
         response.request_focus();
-        select_stem(ui, &response, &path);
+        // What is opened has a name of its own, so a typed path replaces all.
+        let begins_new = kind.wanted == Wanted::NewFile;
+        let (begin, end) = if begins_new { stem(&path) } else { (0, path.chars().count()) };
+        text_field::select(ui.ctx(), response.id, begin..end);
     }
     let enter = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if let Some(error) = &state.file_flow.refused {
@@ -472,14 +475,12 @@ fn choose_typed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: 
     }
 }
 
-/// Selects the name in a proposed path, without its folder and its ending, so that typing replaces it. A folder alone is
-/// selected whole.
-fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
+/// The place of the name in a proposed path, in characters, without its folder and its ending, so that typing replaces
+/// it.
+fn stem(path: &str) -> (usize, usize) {
     let begin = path.rfind(['/', '\\']).map_or(0, |at| at + 1);
-    let begin = if begin == path.len() { 0 } else { begin };
     let end = path[begin..].rfind('.').map_or(path.len(), |at| begin + at);
-    let [begin, end] = [begin, end].map(|at| path[..at].chars().count());
-    text_field::select(ui.ctx(), response.id, begin..end);
+    (path[..begin].chars().count(), path[..end].chars().count())
 }
 
 /// Help on mouse and keyboard. False once it's closed.

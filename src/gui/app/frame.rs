@@ -25,7 +25,7 @@ use crate::gui::storage::session_news;
 use crate::gui::views::long_work::is_long;
 use crate::gui::views::{Canvas, Inputs, motion};
 use crate::gui::why;
-use camera_lab_desk::{Action, Intent, Kept, Model, PanelHover, Side};
+use camera_lab_desk::{Action, Intent, Kept, Message, Model, PanelHover, Side};
 use camera_lab_words::window::{self, Texts};
 
 /// Below this width, in points, there is room for only one panel beside the pictures.
@@ -304,6 +304,9 @@ impl App {
             return;
         }
         self.state.model.desk.commit();
+        if self.state.model.desk.shown.take_operations_gone() {
+            self.state.model.say(Message::OperationsGone);
+        }
         let now = ctx.input(|input| input.time);
         if let Some(left) = self.state.model.views.follow(self.state.model.desk.shown.figure().observers, now) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));

@@ -221,6 +221,8 @@ pub(super) struct ExportSource {
     lang: Lang,
     family: FamilyChoice,
     convention: Convention,
+    /// The views whose observer the user has turned.
+    turned: [bool; View::ALL.len()],
 }
 
 impl ExportSource {
@@ -228,15 +230,19 @@ impl ExportSource {
     pub(super) fn of(model: &Model, family: &FamilyChoice, theme: Theme) -> Self {
         let mut figure = model.figure_as_shown();
         figure.style.theme = theme;
+        let observers = model.desk.shown.figure().observers;
+        let mut turned = [true; View::ALL.len()];
+        (turned[View::World.index()], turned[View::Canonical.index()]) =
+            (observers.world.is_some(), observers.canonical.is_some());
         if family.variations().is_some() {
             // The observer as seen is that of one larger picture. A family has one that holds the subject of each.
-            figure.observers = model.desk.shown.figure().observers;
+            figure.observers = observers;
         }
         // As on the screen: labels don't answer an open question.
         let shot = Shot { asked: model.frame.asked.clone(), ..Shot::of(&figure) };
         let files = model.desk.shown.files();
         let (lang, convention) = (model.settings.lang, model.operations.convention);
-        Self { figure, shot, files, lang, family: family.clone(), convention }
+        Self { figure, shot, files, lang, family: family.clone(), convention, turned }
     }
 
     /// The sheet of a family.
@@ -292,7 +298,21 @@ impl ExportSource {
         if let Some(variations) = self.family.variations() {
             return self.family((export, &request), &variations?, &camera, progress);
         }
-        Ok(export.spec(false).sheet(&request, &self.shot, None, progress).await?)
+        let sheet = export.spec(false).sheet(&request, &self.shot, None, progress).await?;
+        // An observer that the user hasn't turned was framed for the window. In a picture of another shape it's framed
+        // again if it would leave something out.
+        let is_cut = |own: &&Request| {
+            !self.turned[own.view.index()] && own.observer.is_some_and(|observer| !own.holds(&observer))
+        };
+        let mut shot = self.shot.clone();
+        for cut in sheet.requests.iter().filter(is_cut) {
+            let framed = cut.seen_from().and_then(|observer| cut.fitted(&observer));
+            shot.pictures.iter_mut().filter(|own| own.kind == cut.view).for_each(|own| own.observer = framed);
+        }
+        if shot == self.shot {
+            return Ok(sheet);
+        }
+        Ok(export.spec(false).sheet(&request, &shot, None, progress).await?)
     }
 }
 
@@ -436,6 +456,26 @@ fn save_both(path: &Path, bytes: &[u8], beside: Option<Beside>, overwrite: Overw
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_picture_of_another_shape_is_framed_again_unless_the_user_has_turned_it() {
+        let mut state = crate::gui::app::state::State::new(crate::gui::Start::default()).expect("a camera");
+        state.model.frame.picture_sizes = [[1200, 300]; 3];
+        let narrow = Export { what: Views::One(View::World), ..Export::new([[300, 400]; 3], 1.0) };
+        let sheet = |state: &crate::gui::app::state::State| {
+            let source = ExportSource::of(&state.model, &FamilyChoice::default(), Theme::Light);
+            let mut sheet = crate::progress::at_once(source.sheet(&narrow, &Progress::default())).expect("a sheet");
+            sheet.requests.remove(0)
+        };
+        // The window keeps its observer while the camera moves, and that one may be too near for a narrow picture.
+        let fitted = sheet(&state).seen_from().expect("a world");
+        let near = crate::figure::Observer { distance: 0.5 * fitted.distance, ..fitted };
+        state.model.frame.seen.world = Some(near);
+        let own = sheet(&state);
+        assert!(own.observer.is_some_and(|observer| observer != near && own.holds(&observer)));
+        state.model.desk.shown.observers_mut().world = Some(near);
+        assert_eq!(sheet(&state).seen_from(), Some(near), "a close look stays");
+    }
 
     #[test]
     fn a_family_holds_its_subjects_in_small_pictures_too() {

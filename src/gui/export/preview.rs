@@ -7,8 +7,9 @@ use super::family_choice::FamilyChoice;
 use crate::export::format::PictureFormat;
 use crate::gui::export::{Export, ExportSource};
 use crate::gui::kit::frames;
-use crate::picture::{self, Crowded, FileOptions};
+use crate::picture::{self, Composite, Crowded, FileOptions, Pixels, Renderer};
 use crate::progress::Progress;
+use crate::views::{Request, View};
 use camera_lab_desk::{ExportError, Worker};
 
 /// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
@@ -26,6 +27,8 @@ pub struct Preview {
     pub texture: Option<TextureHandle>,
     /// The message if several pictures have little space on their paper.
     pub(in crate::gui) crowded: Option<Crowded>,
+    /// The labels that have no room in the pictures.
+    pub left_out: Vec<String>,
     /// Width and height of the export in pixels. A family may be far larger than the picture of its figure.
     pub size: Option<[u32; 2]>,
     /// The reason why there is no picture.
@@ -46,8 +49,9 @@ struct PreviewJob {
 
 /// The result of a job.
 enum Drawn {
-    /// An image, the message if several pictures have little space on their paper, and the size of the export.
-    Picture(ColorImage, Option<Crowded>, [u32; 2]),
+    /// An image, the message if several pictures have little space on their paper, the texts without room, and the size
+    /// of the export.
+    Picture(ColorImage, Option<Crowded>, Vec<String>, [u32; 2]),
     /// A picture of vectors as text.
     Svg(String),
 }
@@ -63,7 +67,16 @@ impl std::fmt::Debug for Preview {
 impl Default for Preview {
     fn default() -> Self {
         let worker = Worker::new("preview", crate::clock::now, work);
-        Self { worker, asked: None, texture: None, crowded: None, size: None, fault: None, copied: None }
+        Self {
+            worker,
+            asked: None,
+            texture: None,
+            crowded: None,
+            left_out: Vec::new(),
+            size: None,
+            fault: None,
+            copied: None,
+        }
     }
 }
 
@@ -83,8 +96,27 @@ fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
         let (size_drawn, rgba) = ([pixels.width(), pixels.height()], pixels.rgba());
         let room = room.map_or([f32::INFINITY; 2], |room| room.map(|side| side / FINENESS));
         let shown = reduced(size_drawn, rgba, room);
-        Ok(Drawn::Picture(shown, sheet.crowded, size))
+        // A family has captions, and names would be missing in many of its small pictures.
+        let left_out = if sheet.requests.len() <= View::ALL.len() { left_out(&sheet).await } else { Vec::new() };
+        Ok(Drawn::Picture(shown, sheet.crowded, left_out, size))
     }
+}
+
+/// The labels that find no free place in the pictures, but would in larger ones.
+async fn left_out(sheet: &Composite) -> Vec<String> {
+    let (mut renderer, mut missing) = (Renderer::default(), Vec::new());
+    for own in &sheet.requests {
+        let mut roomy = own.clone();
+        (roomy.size.width, roomy.size.height) = (2 * own.size.width, 2 * own.size.height);
+        let mut places = async |request: &Request| {
+            let report = renderer.pixels_into(request, &mut Pixels::default()).await;
+            report.map(|report| report.labels).unwrap_or_default()
+        };
+        let (placed, all) = (places(own).await, places(&roomy).await);
+        let is_placed = |name: &str| placed.iter().any(|label| label.name == name);
+        missing.extend(all.into_iter().filter(|label| !is_placed(&label.name)).map(|label| label.text));
+    }
+    missing
 }
 
 impl Preview {
@@ -99,13 +131,14 @@ impl Preview {
     ) {
         let [shown, copied] = self.worker.take(std::time::Duration::ZERO);
         match shown.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {
-            Some(Ok(Drawn::Picture(picture, crowded, size))) => {
-                (self.crowded, self.size) = (crowded, Some(size));
+            Some(Ok(Drawn::Picture(picture, crowded, left_out, size))) => {
+                (self.crowded, self.left_out, self.size) = (crowded, left_out, Some(size));
                 self.texture = Some(ctx.load_texture("export preview", picture, TextureOptions::LINEAR));
                 self.fault = None;
             }
             Some(Err(error)) => {
                 (self.texture, self.crowded, self.size, self.fault) = (None, None, None, Some(error));
+                self.left_out.clear();
             }
             Some(Ok(Drawn::Svg(_))) | None => {}
         }

@@ -58,14 +58,11 @@ pub fn ui(ui: &mut egui::Ui, model: &mut Model) {
     section(ui, t.operations, "operations", true, |ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
         ui.add_enabled_ui(possible, |ui| predict::ui(ui, t, model, written));
-        let rows = ui.add_enabled_ui(possible, |ui| {
+        ui.add_enabled_ui(possible, |ui| {
             for Descriptor { freedom, .. } in &OPERATIONS {
                 ui.push_id(freedom, |ui| operation(ui, t, model, *freedom));
             }
         });
-        if !ui.rect_contains_pointer(rows.response.rect) {
-            model.operations.close_others();
-        }
         kept(ui, t, model);
         more(ui, t, t.vtk, |ui| {
             let mut vtk = model.operations.convention == Convention::Vtk;

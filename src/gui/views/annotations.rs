@@ -52,6 +52,10 @@ impl Annotations {
             let step = step.map(|(lesson, step)| (lesson.to_owned(), step));
             let from = std::mem::replace(&mut self.step, step.clone());
             self.turn((None, from), &(None, step));
+            if self.step.is_none() {
+                // Outside of the lesson nobody sees them, and the next class begins without them.
+                self.others.retain(|((_, step), _)| step.is_none());
+            }
         }
     }
 

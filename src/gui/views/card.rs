@@ -91,14 +91,14 @@ impl Canvas {
         let of_frame = panes.iter().find(|pane| pane.view == View::Image).map(|pane| pane.request.clone());
         let request = of_frame.unwrap_or_else(|| self.request(model, &self.shot.picture(View::Image), size));
         // The other side of a comparison, with a camera and an image of its own, may be under the pointer.
-        let side = self.probed_side.as_ref().filter(|(of, _)| *of == probe).map(|(_, side)| side);
-        let request = side.map_or_else(
-            || request.clone(),
-            |side| {
-                let shot = Shot { compared: None, ..Shot::clone(&side.shot) };
-                Request { camera: side.camera.clone(), shot: shot.into(), ..request.clone() }
-            },
-        );
+        let side = self.probed_side.filter(|(of, _)| *of == probe).map(|(_, side)| side);
+        let side = side.and_then(|side| request.sides()?.into_iter().nth(side)).map(|side| side.request);
+        let request = match side {
+            Some(Request { camera, shot, .. }) => {
+                Request { camera, shot: Shot { compared: None, ..Shot::clone(&shot) }.into(), ..request }
+            }
+            None => request,
+        };
         let request = Request { hover: Hover::default(), size, ..request };
         let digits = model.settings.digits;
         let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;

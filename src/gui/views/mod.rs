@@ -120,7 +120,7 @@ pub struct Canvas {
     hover_pick: Option<PickRequest>,
     clicked_pick: Option<PickRequest>,
     /// The last probe of the pointer in a compared picture, and its side.
-    probed_side: Option<(Probe, Request)>,
+    probed_side: Option<(Probe, usize)>,
     /// A click whose target hasn't been found yet, and its picker.
     clicked: Option<Click>,
     click_picker: Picker,

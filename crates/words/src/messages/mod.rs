@@ -36,7 +36,7 @@ pub use crate::messages::expressions::{at_most_characters, expression, not_whole
 pub use crate::messages::figure_files::{figure, without_line};
 pub use crate::messages::files::{encoder, file, left_out, link, not_printed, opened, out_of_reach, png};
 pub use crate::messages::meshes::notice as mesh_notice;
-pub use crate::messages::scene_errors::{opened_mesh, scene};
+pub use crate::messages::scene_errors::{opened_mesh, scene, scene_in_window};
 pub use crate::messages::unreadable::without_file;
 pub use crate::window::progress::over_budget;
 

@@ -26,12 +26,22 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
     }
 }
 
-/// The reason why a mesh that's opened by itself is impossible. It has no section that you could look for.
-pub fn opened_mesh(lang: Lang, error: &SceneError) -> String {
+/// The reason why a scene can't be built, for the window, where an object has its name and no section of a file.
+pub fn scene_in_window(lang: Lang, error: &SceneError) -> String {
+    match error {
+        SceneError::Mesh { name, .. } => format!("“{}”: {}", escaped(name), scene_wording(lang, error).in_symbols),
+        _ => scene(lang, error),
+    }
+}
+
+/// The reason why a mesh that's opened by itself makes no scene. It has no section that you could look for.
+pub fn opened_mesh(lang: Lang, path: &str, error: &SceneError) -> String {
     let why = scene_wording(lang, error).in_symbols;
     match error {
         SceneError::Mesh { error: MeshError::Empty, .. } => format!("{why}. {}", window::texts(lang).paste_camera),
-        _ => why,
+        // The file is named in it.
+        SceneError::Mesh { .. } => why,
+        _ => format!("{path}: {why}"),
     }
 }
 

@@ -7,6 +7,47 @@ pub mod scenes;
 pub mod search;
 pub mod sessions;
 
+use crate::camera::ParameterKey;
+
+/// A parameter of the camera by its symbol and its name, as beside its field.
+pub fn parameter(lang: Lang, key: ParameterKey) -> String {
+    let t = texts(lang);
+    let name = match key {
+        ParameterKey::Position => t.position,
+        ParameterKey::FocalPoint => t.focal_point,
+        ParameterKey::ViewUp => t.view_up,
+        ParameterKey::ViewAngle => t.view_angle,
+        ParameterKey::Height => t.height,
+        ParameterKey::Aspect => t.aspect,
+        ParameterKey::Near => t.near,
+        ParameterKey::Far => t.far,
+        ParameterKey::Window => t.window,
+    };
+    format!("{} {name}", key.symbol())
+}
+
+/// The window's words for a key of figure files: a parameter of the camera, or the part that the key belongs to.
+pub fn key_in_words(lang: Lang, key: &str) -> String {
+    let t = texts(lang);
+    let parameter = key.strip_prefix("camera.");
+    if let Some(known) = ParameterKey::ALL.into_iter().find(|known| Some(known.name()) == parameter) {
+        return self::parameter(lang, known);
+    }
+    let section = key.split('.').next().unwrap_or_default();
+    let words = match section {
+        "camera" => t.camera,
+        "image" => t.image,
+        "scene" => t.scene,
+        "style" => t.style,
+        "world" => t.show_world,
+        "observers" => t.menu_viewpoint,
+        "show" | "reveal" => t.explain_panel,
+        "labels" => labels::texts(lang).title,
+        _ => return key.to_owned(),
+    };
+    words.to_owned()
+}
+
 /// The words of the list of cameras, in both languages.
 pub mod cameras {
     texts!("window/cameras");

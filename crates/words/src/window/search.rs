@@ -6,7 +6,19 @@ texts!("window/search");
 /// Groups of names for one thing, without accents: those of the notes, of other books and of libraries, in both
 /// languages. If you type one of them, you also find the others.
 const SYNONYMS: &[&[&str]] = &[
-    &["fov", "fovy", "field of view", "view angle", "abertura", "campo de visao", "angulo de vista", "θ", "theta"],
+    &[
+        "fov",
+        "fovy",
+        "field of view",
+        "view angle",
+        "abertura",
+        "campo de visao",
+        "angulo de vista",
+        "focal length",
+        "distancia focal",
+        "θ",
+        "theta",
+    ],
     &["frustum", "tronco", "view volume", "volume de vista", "viewing volume", "piramide de visao"],
     &["near", "near plane", "front plane", "plano da frente", "znear", "plano proximo", "hither"],
     &["far", "far plane", "back plane", "plano de fundo", "zfar", "plano distante", "yon"],
@@ -56,11 +68,12 @@ const SYNONYMS: &[&[&str]] = &[
         "glm",
         "unity",
         "blender",
-        "code",
-        "codigo",
+        "quaternion",
+        "quaternio",
         "other libraries",
         "outras bibliotecas",
     ],
+    &["code", "codigo", "other libraries", "outras bibliotecas"],
     &[
         "intrinsics",
         "k[r|t]",
@@ -76,13 +89,24 @@ const SYNONYMS: &[&[&str]] = &[
     &["orthographic", "ortografica", "orthogonal", "parallel", "paralela"],
     &["rasterization", "rasterizacao", "scanline", "stages", "etapas", "pipeline"],
     &["aspect ratio", "razao de aspecto", "aspect", "aspecto"],
-    &["dark mode", "modo escuro", "dark theme", "tema escuro"],
+    &["dark mode", "modo escuro", "night mode", "modo noturno", "dark theme", "tema escuro"],
     &["title", "titulo", "caption", "legenda", "heading", "cabecalho"],
-    &["pdf", "svg", "tex", "webp", "export", "exportar"],
+    &["pdf", "svg", "tex", "webp", "transparent", "transparente", "export", "exportar"],
     &["run time", "runtime", "tempo de execucao", "benchmark", "numerics", "error against run time", "erro por tempo"],
     &["empty image", "empty", "black image", "imagem vazia", "imagem preta", "camera check", "diagnostico da camera"],
     &["compare cameras", "comparar cameras", "two cameras", "duas cameras", "compare", "comparar"],
-    &["stereo", "estereo", "stereo pair", "par estereo", "anaglyph", "anaglifo", "left eye", "olho esquerdo"],
+    &[
+        "parallax",
+        "paralaxe",
+        "stereo",
+        "estereo",
+        "stereo pair",
+        "par estereo",
+        "anaglyph",
+        "anaglifo",
+        "left eye",
+        "olho esquerdo",
+    ],
     &["smooth shading", "flat shading", "shading", "sombreamento", "tonalizacao"],
     &["predict", "prever", "prediction", "previsao", "predict first", "prever antes"],
     &["ghost", "fantasma", "keep in the figure", "guardar na figura"],
@@ -108,7 +132,7 @@ const SYNONYMS: &[&[&str]] = &[
     &["shortcut", "shortcuts", "atalho", "atalhos", "keyboard", "teclado", "keys"],
     &["study", "studies", "estudo", "estudos", "numerics", "error against run time", "erro por tempo"],
     &["students", "alunos", "estudantes", "a class", "uma turma", "my class", "minha turma", "report", "relatorio"],
-    &["progress", "progresso", "exercises", "exercicios"],
+    &["progress", "progresso", "export progress", "exportar progresso", "exercises", "exercicios"],
     &["import", "importar", "gltf", "glb", "obj", "stl", "ply", "mesh file", "arquivo de malha", "open", "abrir"],
     &["frame", "enquadrar", "fit the image", "ajustar a imagem", "aim at it", "mirar nele"],
     &["look at", "olhar para", "center", "centre", "centralizar", "aim", "mirar", "aim at it", "mirar nele"],
@@ -138,15 +162,19 @@ pub fn has_words(text: &str, wanted: &str) -> bool {
 pub fn also_called(wanted: &str) -> Vec<String> {
     let wanted = folded(wanted).split_whitespace().collect::<Vec<_>>().join(" ");
     let mut all = vec![wanted.clone()];
+    let is_whole = SYNONYMS.iter().any(|group| group.contains(&wanted.as_str()));
     for group in SYNONYMS {
-        // A name that the user is still typing counts from its third letter on.
-        let is_meant = |name: &&&str| wanted == **name || wanted.len() >= 3 && name.starts_with(&wanted);
+        // A name that the user is still typing counts from its third letter on, unless it's another whole name.
+        let is_meant = |name: &&&str| wanted == **name || !is_whole && wanted.len() >= 3 && name.starts_with(&wanted);
         let inside = group.iter().find(|name| name.len() > 2 && format!(" {wanted} ").contains(&format!(" {name} ")));
         let Some(name) = group.iter().find(is_meant).or(inside) else { continue };
         for other in group.iter().filter(|other| *other != name) {
-            let said = if wanted.contains(name) { wanted.replace(name, other) } else { (*other).to_owned() };
-            if !all.contains(&said) {
-                all.push(said);
+            let replaced = wanted.contains(name).then(|| wanted.replace(name, other));
+            // Among other words, for example “save as pdf”, the other name alone counts too.
+            for said in replaced.into_iter().chain([(*other).to_owned()]) {
+                if !all.contains(&said) {
+                    all.push(said);
+                }
             }
         }
     }

@@ -17,6 +17,8 @@ const BORDER: f32 = 36.0;
 const KEYS: f32 = 118.0;
 const SIZE: f32 = 8.8;
 const LINE: f32 = 13.2;
+/// The gap after a menu, in lines, with its title's extra height.
+const BETWEEN: f32 = 2.0;
 
 /// The menus with their commands, and the letters of a presentation: the keys of each, and its name.
 fn menus(model: &Model, lang: Lang) -> Vec<(&'static str, Vec<[String; 2]>)> {
@@ -60,22 +62,28 @@ pub fn keys_pdf(model: &Model, lang: Lang) -> Option<Vec<u8>> {
     let mut items = vec![Item::text(title.to_owned(), [BORDER, BORDER + 10.0], 14.0, ink, Anchor::Left)];
     let (top, width) = (BORDER + 26.0, (PAPER[0] - 2.0 * BORDER) / 2.0);
     let menus = menus(model, lang);
-    let lines: usize = menus.iter().map(|(_, rows)| rows.len() + 2).sum();
-    let (mut left, mut y) = (BORDER, top);
-    for (title, rows) in menus {
-        // A menu isn't cut. The second column begins at the menu that crosses the middle.
-        let middle = top + LINE * (lines as f32 / 2.0);
-        if left == BORDER && y + LINE * (rows.len() as f32 / 2.0) > middle {
-            (left, y) = (BORDER + width, top);
+    // The second column begins at the menu that crosses the middle, because a menu isn't cut.
+    let lines =
+        |menus: &[(&str, Vec<[String; 2]>)]| menus.iter().map(|(_, rows)| rows.len() as f32 + BETWEEN).sum::<f32>();
+    let (all, mut first) = (lines(&menus), 0);
+    while first < menus.len() && lines(&menus[..first]) + 0.5 * lines(&menus[first..=first]) < 0.5 * all {
+        first += 1;
+    }
+    // The taller one fills the page at most.
+    let tallest = lines(&menus[..first]).max(lines(&menus[first..]));
+    let line = LINE.min((PAPER[1] - BORDER - top) / tallest);
+    for (left, menus) in [(BORDER, &menus[..first]), (BORDER + width, &menus[first..])] {
+        let mut y = top;
+        for (title, rows) in menus {
+            items.push(Item::text((*title).to_owned(), [left, y], 1.2 * SIZE, faint, Anchor::Left));
+            y += 1.2 * line;
+            for [keys, name] in rows {
+                items.push(Item::text(keys.clone(), [left, y], SIZE, ink, Anchor::Left));
+                items.push(Item::text(name.clone(), [left + KEYS, y], SIZE, ink, Anchor::Left));
+                y += line;
+            }
+            y += 0.8 * line;
         }
-        items.push(Item::text(title.to_owned(), [left, y], 1.2 * SIZE, faint, Anchor::Left));
-        y += 1.2 * LINE;
-        for [keys, name] in rows {
-            items.push(Item::text(keys, [left, y], SIZE, ink, Anchor::Left));
-            items.push(Item::text(name, [left + KEYS, y], SIZE, ink, Anchor::Left));
-            y += LINE;
-        }
-        y += 0.8 * LINE;
     }
     let title = title.to_owned();
     let page = Page { size: PAPER, points: 1.0, description: title.clone(), title, language: lang.tag(), items };

@@ -122,7 +122,12 @@ impl FileKind {
             }
             Purpose::For(FileFor::Progress) => {
                 let filters = vec![("CSV".to_owned(), &["csv"][..])];
-                new_file(exercises.export_title, filters, exercises.progress_file.to_owned())
+                // Thirty files in one folder need thirty names.
+                let student = state.learn.exercises.progress.student.as_deref().and_then(name_of_title);
+                let file = exercises.progress_file;
+                let name =
+                    student.map_or_else(|| file.to_owned(), |name| file.replace(".csv", &format!("-{name}.csv")));
+                new_file(exercises.export_title, filters, name)
             }
             Purpose::For(FileFor::Mesh(_)) => {
                 file(scene.mesh_title, scene.mesh_action, &scenes::mesh_filter(lang), MESH_ENDINGS)

@@ -118,7 +118,8 @@ pub(super) fn show(state: &mut State, found: Found) {
     let shown = next.and_then(|next| {
         let document =
             next.document.map(|document| *document).or_else(|| model.desk.take_left(next.source.as_ref()))?;
-        Some((next.source, document, Message::Step { number: next.number, of: next.of }))
+        let leaves_work = model.is_unsaved();
+        Some((next.source, document, Message::Step { number: next.number, of: next.of, leaves_work }))
     });
     let Some((source, document, step)) = shown else {
         let end = if forwards { Message::LastFigure } else { Message::FirstFigure };

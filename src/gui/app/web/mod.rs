@@ -265,7 +265,7 @@ impl eframe::App for Page {
         self.follow_window();
         // A low frame has room for no picture, but it answers.
         let is_drawn = self.app.canvas.drawn().iter().any(|count| *count > 0);
-        if !self.told && (is_drawn || self.app.canvas.places().next().is_none()) {
+        if !self.told && (is_drawn || self.app.canvas.places().all(|(_, place)| !place.is_positive())) {
             self.told = true;
             interface::say_ready();
         }

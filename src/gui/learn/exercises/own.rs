@@ -11,7 +11,7 @@ use camera_lab_words::messages;
 
 /// The part below the list.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, model: &mut Model, learn: &mut Learn) {
-    if model.in_browser {
+    if cfg!(target_arch = "wasm32") || model.in_browser {
         return;
     }
     ui.add_space(6.0);

@@ -53,16 +53,17 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn
         ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
     });
     let mut forgets = false;
-    if let Some(fault) = fault {
-        // Above the fields, which scroll.
-        ui.horizontal_wrapped(|ui| {
+    // Above the fields, which scroll. Its room is there before it comes, so that no field moves under the pointer.
+    ui.horizontal_wrapped(|ui| {
+        ui.set_min_height(ui.spacing().interact_size.y);
+        if let Some(fault) = fault {
             forgets = ui.button(t.forget_typed).explained(t.forget_typed_hint).clicked();
             let text = if is_unfinished { t.unfinished.to_owned() } else { format!("{}: {fault}", t.not_written) };
             let visuals = ui.visuals();
             let color = if is_unfinished { visuals.weak_text_color() } else { visuals.error_fg_color };
             ui.label(RichText::new(text).color(color));
-        });
-    }
+        }
+    });
     if forgets {
         return learn.forget_text();
     }

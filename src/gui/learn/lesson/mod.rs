@@ -294,7 +294,9 @@ fn column(ui: &Ui, available: f32, presents: bool, asks: bool) -> f32 {
 /// One line: title, number of the step, the ways on.
 fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<Command> {
     let lang = t.lang;
-    let writes_own = learn.plays_own_lesson(model) && !model.settings.presentation;
+    // A built-in lesson is copied first.
+    let can_write = writing::CAN_WRITE && !model.in_browser && !model.settings.presentation;
+    let is_own = learn.plays_own_lesson(model);
     let playing = learn.lesson.as_ref()?;
     let writing = playing.writing.is_some();
     let lesson = playing.lesson.clone();
@@ -342,9 +344,8 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
             if ui.button("✕").explained(t.leave).accessible_name(t.leave).clicked() {
                 command = Some(Command::LeaveLesson);
             }
-            if writes_own
-                && ui.selectable_label(writing, "✎").explained(t.write_hint).accessible_name(t.write_command).clicked()
-            {
+            let (name, hint) = if is_own { (t.write_command, t.write_hint) } else { (t.copy_title, t.copy_title) };
+            if can_write && ui.selectable_label(writing, "✎").explained(hint).accessible_name(name).clicked() {
                 command = Some(Command::WriteLesson);
             }
             let again = Button::new(sign("↺", t.again.to_owned()));

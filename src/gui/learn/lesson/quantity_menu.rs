@@ -8,8 +8,10 @@ use crate::gui::kit::{Explained, TEXT_LINE};
 use crate::inspect::Report;
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, ReportMatrix, WindowNumber};
 use crate::limits::MAX_TYPED;
+use camera_lab_words::Lang;
 use camera_lab_words::learn::lesson_tasks::Texts;
 use camera_lab_words::learn::lessons::filled_from;
+use camera_lab_words::window::parameter;
 
 /// The name of a text, and beside it the menu. A chosen quantity goes to the caret of the field `id`, in braces, if the
 /// text has room for it. Returns the name.
@@ -87,10 +89,10 @@ fn group(ui: &mut Ui, t: &Texts, report: &Report, quantity: Quantity) -> Option<
     let numbers = quantity.of(report)?;
     if numbers.entries.len() == 1 {
         let value = filled_from(t.lang, &Localized::same(&format!("{{{path}}}")), report);
-        return chosen(ui, &format!("{path} = {value}"), path);
+        return chosen(ui, &format!("{} = {value}", name(t.lang, quantity)), path);
     }
     let mut found = None;
-    ui.menu_button(path.clone(), |ui| {
+    ui.menu_button(name(t.lang, quantity), |ui| {
         found = chosen(ui, t.all_entries, path.clone());
         for place in 0..numbers.entries.len() {
             let entry = match numbers.columns {
@@ -102,6 +104,17 @@ fn group(ui: &mut Ui, t: &Texts, report: &Report, quantity: Quantity) -> Option<
         }
     });
     found
+}
+
+/// The name of a quantity: that of its field, its symbol, or its key in the output of `inspect`.
+fn name(lang: Lang, quantity: Quantity) -> String {
+    match quantity {
+        Quantity::Camera(key) => parameter(lang, key),
+        Quantity::Distance => "D".to_owned(),
+        Quantity::Direction => "DOP".to_owned(),
+        Quantity::Axis(axis) => axis.name().to_owned(),
+        other => other.to_string(),
+    }
 }
 
 fn chosen(ui: &mut Ui, name: &str, path: String) -> Option<String> {

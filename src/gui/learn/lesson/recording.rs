@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::figure::{Figure, Localized, Screen};
 use crate::gui::learn::Learn;
+use crate::gui::learn::lesson::writing::CAN_WRITE;
 use crate::lessons::{Draft, Lesson, with_step};
 use camera_lab_desk::{Message, Model, Side};
 use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Overwrite};
@@ -16,7 +17,7 @@ impl Learn {
     /// gallery's figures.
     pub(in crate::gui) fn look_for_lessons(&mut self, model: &Model, gallery: Option<&Path>, recent: &[PathBuf]) {
         self.own.clear();
-        if model.in_browser {
+        if !CAN_WRITE || model.in_browser {
             return;
         }
         let of_file = recent.iter().filter(|path| !files::is_network(path) && files::is_lesson(path));
@@ -33,6 +34,9 @@ impl Learn {
 
     /// Adds the state on the screen to the lesson in a file, which is created if it doesn't exist.
     pub(in crate::gui) fn add_step(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
+        if !CAN_WRITE {
+            return;
+        }
         if self
             .lesson
             .as_ref()
@@ -50,6 +54,9 @@ impl Learn {
 
     /// True if the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
     pub(in crate::gui) fn is_recorded(&self, model: &mut Model) -> bool {
+        if !CAN_WRITE {
+            return false;
+        }
         let Some(path) = self.file.as_deref().filter(|_| model.desk.shown.path().is_none()) else {
             return false;
         };

@@ -15,6 +15,9 @@ use camera_lab_desk::{Message, Model, UnsavedText};
 use camera_lab_files::{self as files, FileError, Overwrite, share};
 use camera_lab_words::Lang;
 
+/// False in a page of a browser. It has no files, so nothing writes a lesson there, and it needn't carry the code.
+pub(in crate::gui) const CAN_WRITE: bool = !cfg!(target_arch = "wasm32");
+
 /// Changes that can be taken back.
 const MOST_EARLIER: usize = 100;
 
@@ -185,17 +188,18 @@ impl Learn {
     /// True if the lesson being played is a file that can be written.
     pub fn plays_own_lesson(&self, model: &Model) -> bool {
         let path = self.lesson.as_ref().and_then(|playing| playing.path.as_deref());
-        path.is_some_and(|path| share::link_of(path).is_none()) && !model.in_browser
+        CAN_WRITE && path.is_some_and(|path| share::link_of(path).is_none()) && !model.in_browser
     }
 
     /// True if the user is writing the step. In a presentation the class sees its final form.
     pub fn writes_lesson(&self, model: &Model) -> bool {
-        !model.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
+        let writes = || self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some());
+        CAN_WRITE && !model.settings.presentation && writes()
     }
 
     /// Starts or ends writing the displayed step.
     pub(in crate::gui) fn write_lesson(&mut self, model: &mut Model) {
-        if !self.save_text(model) || !self.plays_own_lesson(model) {
+        if !CAN_WRITE || !self.save_text(model) || !self.plays_own_lesson(model) {
             return;
         }
         let lang = model.settings.lang;
@@ -253,6 +257,9 @@ impl Learn {
 
     /// Goes on with the text of a session, in the step in which it was typed. `shown` is the figure of the window.
     pub(in crate::gui) fn resume_text(&mut self, model: &mut Model, unsaved: UnsavedText, shown: Figure) {
+        if !CAN_WRITE {
+            return;
+        }
         let UnsavedText { path, step, text, words, task } = unsaved;
         // A session without a lesson was not restored.
         let Ok(lesson) = crate::lessons::parse(&text) else { return };
@@ -277,6 +284,9 @@ impl Learn {
 
     /// Applies the typed text to the displayed lesson, or finds the reason why it can't.
     pub(in crate::gui) fn text_edited(&mut self, now: f64) {
+        if !CAN_WRITE {
+            return;
+        }
         let Some(playing) = &mut self.lesson else { return };
         let (Some(path), Some(writing)) = (&playing.path, &mut playing.writing) else { return };
         writing.typed_at = now;
@@ -308,6 +318,9 @@ impl Learn {
     /// Writes the typed texts without a fault into the file. Returns false, with a message, if the file can't be
     /// written.
     pub(in crate::gui) fn save_valid_text(&mut self, model: &mut Model) -> bool {
+        if !CAN_WRITE {
+            return true;
+        }
         let Some(playing) = &mut self.lesson else { return true };
         let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return true };
         let Some((text, valid)) = writing.ahead.clone() else { return true };
@@ -331,6 +344,9 @@ impl Learn {
     /// Saves the lesson with its typed text as another file and continues with that file. Returns false if it can't be
     /// written.
     pub(in crate::gui) fn save_text_as(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) -> bool {
+        if !CAN_WRITE {
+            return true;
+        }
         let Some(playing) = &mut self.lesson else { return true };
         let Some(writing) = &mut playing.writing else { return true };
         let Some((text, valid)) = writing.ahead.clone() else { return false };
@@ -349,7 +365,7 @@ impl Learn {
 
     /// Adds the state on the screen as the last step of the lesson being written.
     pub(in crate::gui) fn add_to_written(&mut self, model: &mut Model, path: &Path) {
-        if !self.save_text(model) {
+        if !CAN_WRITE || !self.save_text(model) {
             return;
         }
         let (figure, left_out) = for_lesson(model, path);
@@ -369,7 +385,7 @@ impl Learn {
 
     /// Changes the steps of the lesson in its file.
     pub(in crate::gui) fn change_steps(&mut self, model: &mut Model, change: StepChange) {
-        if !self.save_text(model) {
+        if !CAN_WRITE || !self.save_text(model) {
             return;
         }
         let Some(path) = self.lesson.as_ref().and_then(|playing| playing.path.clone()) else { return };
@@ -432,7 +448,7 @@ impl Learn {
 
     /// Undoes the last change of the lesson's file, or redoes it.
     pub(in crate::gui) fn undo_lesson(&mut self, model: &mut Model, back: bool) {
-        if !self.save_text(model) {
+        if !CAN_WRITE || !self.save_text(model) {
             return;
         }
         let Some(playing) = &mut self.lesson else { return };
@@ -456,6 +472,9 @@ impl Learn {
 
     /// Goes on with a built-in lesson as the user's own, in a copy in a file.
     pub(in crate::gui) fn copy_lesson(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
+        if !CAN_WRITE {
+            return;
+        }
         let Some(playing) = &self.lesson else { return };
         let id = playing.lesson.id.clone();
         let Some(shipped) = crate::lessons::shipped().iter().find(|shipped| shipped.lesson.id == id) else { return };
@@ -474,6 +493,9 @@ impl Learn {
     /// Writes the text of the lesson into its file, unless another program has changed it. Returns true if it's
     /// written.
     fn store(&mut self, model: &mut Model, path: &Path, text: String, step: usize) -> bool {
+        if !CAN_WRITE {
+            return false;
+        }
         let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else {
             return false;
         };
@@ -509,6 +531,9 @@ impl Learn {
 
     /// Reads the lesson again after another program has changed it. Text that isn't in the file is lost.
     pub(in crate::gui) fn read_lesson_again(&mut self, model: &mut Model) {
+        if !CAN_WRITE {
+            return;
+        }
         let Some(playing) = &self.lesson else { return };
         let (Some(path), step) = (playing.path.clone(), playing.step) else { return };
         match files::read_lesson(&path) {

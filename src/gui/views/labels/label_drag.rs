@@ -95,7 +95,7 @@ impl Canvas {
         response.ctx.request_repaint();
     }
 
-    /// Lets the arrow keys move the chosen label, and Enter put a note. Returns true if this key did.
+    /// Lets the arrow keys move the chosen label, Delete hide it, and Enter put a note. Returns true if this key did.
     pub(in crate::gui::views) fn label_by_key(
         &self,
         model: &mut Model,
@@ -109,6 +109,12 @@ impl Canvas {
         if model.label_mode.adding && key == Key::Enter {
             let size = pane.rect.size;
             add_note(model, pane, 0.5 * DVec2::new(f64::from(size.width), f64::from(size.height)));
+            return true;
+        }
+        if matches!(key, Key::Delete | Key::Backspace)
+            && let Some((_, name)) = model.label_mode.chosen.take()
+        {
+            model.desk.shown.edit_labels(|labels| labels.hide(&name));
             return true;
         }
         let arrow = arrow_of(key);

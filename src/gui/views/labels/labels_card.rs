@@ -1,5 +1,7 @@
 //! The card of the mode *Labels*: the chosen label, hidden ones, notes.
 
+use std::collections::BTreeSet;
+
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{self, Align2, ComboBox, FontSelection, Galley, Id, TextStyle, Ui, WidgetText, Window, vec2};
 
@@ -38,7 +40,11 @@ impl Canvas {
             }
             ui.separator();
             measures(ui, model, t);
-            whole(ui, model, t, &|ui, name| self.words_of(ui, name));
+            let all: BTreeSet<String> = panes
+                .iter()
+                .flat_map(|pane| self.pictures[pane.picture].labels.iter().map(|label| label.name.clone()))
+                .collect();
+            whole(ui, model, t, &|ui, name| self.words_of(ui, name), &all);
             for (name, near) in unknown_labels(&self.shot, model.scene_cache.scene()) {
                 let text = words::unknown(model.settings.lang, &name, near.as_deref());
                 ui.colored_label(ui.visuals().warn_fg_color, text);
@@ -232,7 +238,7 @@ fn text_of_measure(ui: &mut Ui, model: &mut Model, name: &str, t: &Texts) {
 }
 
 /// The part for all labels, with the words of hidden ones.
-fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str) -> String) {
+fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str) -> String, all: &BTreeSet<String>) {
     let labels = &model.desk.shown.figure().labels;
     let (hidden, notes) = (labels.hidden.clone(), labels.notes.len());
     let mut is_mathematics = labels.letters == Letters::Mathematics;
@@ -255,6 +261,13 @@ fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str)
         let add = ui.add_enabled(has_room, egui::Button::new(t.add).selected(model.label_mode.adding));
         if add.explained(if has_room { t.add_hint } else { t.full }).clicked() {
             model.label_mode.adding ^= true;
+        }
+        let hide_all = ui.add_enabled(!all.is_empty(), egui::Button::new(t.hide_all));
+        if hide_all.explained(t.hide_all_hint).clicked() {
+            // Notes would be deleted.
+            let labels = all.iter().filter(|name| note_index(name).is_none());
+            model.desk.shown.edit_labels(|shown| labels.for_each(|name| shown.hide(name)));
+            model.label_mode.choose(None);
         }
         if ui.button(t.all_automatic).explained(t.all_automatic_hint).clicked() {
             model.desk.shown.edit_labels(|labels| labels.reset_all());

@@ -78,7 +78,7 @@ impl Canvas {
             if self.drag.is_none() && pane.response.hovered() && !ui.input(|i| i.pointer.any_down()) {
                 hovered = self.hover(ui, model, pane, &mut status, texts);
                 if let Some((probe, place)) = hovered.zip(pane.response.hover_pos()) {
-                    self.probed_side = pane.side(place).map(|side| (probe, side.request));
+                    self.probed_side = pane.side_index(place).map(|side| (probe, side));
                 }
             }
             self.click(model, pane, hovered);

@@ -20,6 +20,12 @@ impl Pane {
         self.request.side_at(self.rect.pixel(pointer).x)
     }
 
+    /// The same side as 0 or 1.
+    pub(in crate::gui::views) fn side_index(&self, pointer: Pos2) -> Option<usize> {
+        let [_, other] = self.request.sides()?;
+        Some(usize::from(self.rect.pixel(pointer).x >= f64::from(other.columns.start)))
+    }
+
     /// The picture at a place, and the place in its pixels. For a compared one, the side at that place.
     pub(in crate::gui::views) fn under(&self, pointer: Pos2) -> (Request, DVec2) {
         self.side_of(self.rect.pixel(pointer))

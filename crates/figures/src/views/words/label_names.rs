@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::camera::Operation;
 use crate::figure::labels::{LEGEND, is_in_legend, note_index};
 use crate::sanitize::escaped;
 use crate::views::reveal::stage_overlay;
@@ -27,6 +28,8 @@ const NAMES: &[&str] = &[
 /// probably meant.
 pub fn unknown_labels(shot: &Shot, scene: &SharedScene) -> Vec<(String, Option<String>)> {
     let mut known: BTreeSet<&str> = NAMES.iter().copied().collect();
+    // Kept operations.
+    known.extend(Operation::names());
     known.extend(shot.points.iter().map(|point| point.name.as_str()));
     let cameras: Vec<String> = shot.cameras.iter().flat_map(OtherCamera::label_names).collect();
     known.extend(cameras.iter().map(String::as_str));
