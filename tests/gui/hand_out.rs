@@ -11,7 +11,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
-use super::files::Folder;
+use super::files::{Dropped, Folder};
 use super::lessons::playing;
 use super::window::Window;
 
@@ -60,6 +60,7 @@ fn the_page_is_asked_for_once_and_opens_the_figure_or_the_lesson() {
 fn a_figure_that_is_handed_out_takes_its_mesh_along() {
     let folder = Folder::new("hand-out-mesh");
     fs::write(folder.file("tent.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n").expect("written");
+    fs::copy(folder.file("tent.obj"), folder.file("second.obj")).expect("written");
     fs::write(folder.file("camera-lab.html"), PAGE).expect("written");
     let mut window = Window::new(Lang::En);
     window.command_key(Key::O);
@@ -83,7 +84,15 @@ fn a_figure_that_is_handed_out_takes_its_mesh_along() {
         other.choose(std::path::Path::new(&link));
         other.run();
         other.wait(|window| !window.state().model.scene_cache.scene().objects.is_empty());
-        let objects = &other.state().model.scene_cache.scene().objects;
-        assert!(objects.iter().any(|object| object.mesh.positions.len() >= 4), "{}", objects.len());
+        let objects = |window: &Window| {
+            let scene = window.state().model.scene_cache.scene();
+            scene.objects.iter().filter(|object| object.mesh.positions.len() >= 4).count()
+        };
+        assert_eq!(objects(&other), 1);
+        // A mesh of one's own disk joins it, and goes along from now on.
+        other.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(folder.file("second.obj"))));
+        other.run();
+        other.wait(|window| objects(window) == 2);
+        assert!(!other.says("second.obj"), "nothing is refused");
     }
 }

@@ -60,8 +60,15 @@ fn all_labels_are_hidden_at_once_and_single_ones_come_back() {
     let mut window = window(Lang::En);
     let t = labels_words::texts(Lang::En);
     window.click(t.hide_all);
-    assert!(shown(&mut window, "C").is_none() && shown(&mut window, "far").is_none());
-    window.click("C");
+    let left = |window: &mut Window| {
+        let views = [View::World, View::Canonical];
+        views.iter().map(|view| window.app_mut().canvas.labels(*view).len()).sum::<usize>()
+    };
+    window.wait(|window| window.state().model.desk.shown.figure().labels.hidden.len() > 5);
+    assert_eq!(left(&mut window), 0);
+    let card = window.harness.query_all_by_role_and_label(Role::Button, "C").last().expect("the hidden one");
+    card.click();
+    window.run();
     assert!(shown(&mut window, "C").is_some() && shown(&mut window, "far").is_none());
     // Delete hides the chosen one.
     let place = shown(&mut window, "C").unwrap().1;

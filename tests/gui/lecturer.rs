@@ -113,7 +113,7 @@ fn valid_parts_of_a_step_are_saved_beside_a_faulty_one() {
     window.harness.get_all_by_label_contains(tasks.insert_number).next().expect("a menu").click();
     window.run();
     window.click_in_dialog(tasks.camera_group);
-    window.harness.get_by_label_contains("distance = ").click();
+    window.harness.get_all_by_label_contains("D = ").last().expect("D").click();
     window.run();
     pause(&mut window);
     assert_eq!(step(&path).text.en, "The distance is {distance}");

@@ -480,7 +480,7 @@ fn numbers_goals_and_exercises_are_tasks_too() {
     // A quantity is chosen from the menu.
     window.click(&format!("{} ▾", t.quantity));
     window.click(t.axes_group);
-    window.click("basis.n");
+    window.click_in_dialog("n");
     window.click("basis.n.1");
     pause(&mut window);
     let n = camera_lab::lessons::numbers_of(&read_lesson(&path).unwrap().0.steps[0].figure).unwrap().basis.n[1];

@@ -16,7 +16,7 @@ use crate::progress::Progress;
 use crate::scene::{ObjectSpec, Preset, Shape};
 use crate::views::scene_of;
 use camera_lab_files::{
-    Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, figure_from, rename, share,
+    Carried, FigureFiles, FileAccess, Renamed, ShippedFigure, SourceFile, carried_mesh, figure_from, rename, share,
 };
 
 /// The edited figure.
@@ -138,8 +138,7 @@ impl Document {
         Ok(Self { path: None, reach, carried, ..Self::new(figure, lesson.map(file))? })
     }
 
-    /// A new figure in the folder of a mesh, whose scene is the mesh, seen whole from a corner. If the mesh can't be
-    /// read, the figure names it all the same, and the window says why it's missing.
+    /// A new figure in the folder of a mesh, whose scene is the mesh, seen whole from a corner.
     ///
     /// # Errors
     /// [`Message`] if it can't be read, or if no camera sees it.
@@ -348,6 +347,11 @@ impl Document {
             && self.history.commit((&self.figure, self.revision), &self.camera, &self.draft)
     }
 
+    /// The present step of undo.
+    pub const fn step(&self) -> Revision {
+        self.history.step()
+    }
+
     /// True once after kept operations have left the figure, because they don't lead to its camera.
     pub fn take_operations_gone(&mut self) -> bool {
         take(&mut self.operations_gone)
@@ -386,7 +390,8 @@ impl Document {
     /// # Errors
     /// As for [`Self::new`].
     pub(super) fn beside(&self, figure: Figure) -> Result<Self, CameraError> {
-        Ok(Self { folder: self.folder.clone(), reach: self.reach, ..Self::new(figure, None)? })
+        let (folder, carried) = (self.folder.clone(), self.carried.clone());
+        Ok(Self { folder, carried, reach: self.reach, ..Self::new(figure, None)? })
     }
 
     /// Drops the steps to redo.
@@ -491,6 +496,14 @@ impl Document {
     /// Reads the files that the figure names.
     pub fn files(&self) -> FigureFiles {
         FigureFiles::new(self.folder().unwrap_or(Path::new("")), self.reach).with(&self.carried)
+    }
+
+    /// Takes a mesh and the files that it names into a figure from a link, which finds no files. Returns the name of the
+    /// mesh. `None` for other figures, and if the mesh can't be read or is too large.
+    pub fn carry_mesh(&mut self, path: &Path) -> Option<String> {
+        let (name, carried) = Some(path).filter(|_| self.reach == FileAccess::Link).and_then(carried_mesh)?;
+        self.carried = self.carried.and(&carried);
+        Some(name)
     }
 
     /// Lets the figure name any file of this machine, with the user's permission.

@@ -26,6 +26,8 @@ impl Revision {
 /// figure was another one.
 #[derive(Clone, Debug)]
 struct Snapshot {
+    /// Tells this step from all others.
+    step: Revision,
     scene: Arc<SceneSpec>,
     revision: Revision,
     /// The figure without its scene.
@@ -57,6 +59,7 @@ impl Snapshot {
     ) -> Self {
         let shared = before.filter(|before| before.has_scene(&figure.scene, revision)).map(|before| &before.scene);
         Self {
+            step: Revision::fresh(),
             scene: shared.map_or_else(|| Arc::new(figure.scene.clone()), Arc::clone),
             revision,
             rest: edited(figure),
@@ -81,7 +84,7 @@ impl Snapshot {
     /// The figure then, with the viewpoints and layout of `now`. If `all`, the explanations of then replace the present
     /// ones as a whole.
     fn moment(&self, now: &Figure, all: bool) -> Moment {
-        let Self { scene, revision, rest, camera, draft, show: then, replaces: _ } = self.clone();
+        let Self { scene, revision, rest, camera, draft, show: then, step: _, replaces: _ } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
         let show = if all { then } else { with_chosen(&now.show, &then) };
         let (observers, screen) = (now.observers, now.screen);
@@ -206,6 +209,11 @@ impl History {
     /// Drops the steps to redo.
     pub fn forget_future(&mut self) {
         self.future.clear();
+    }
+
+    /// The present step. Undoing and redoing lead to the same steps again.
+    pub(crate) const fn step(&self) -> Revision {
+        self.now.step
     }
 
     pub(crate) fn can_undo(&self, back: bool) -> bool {

@@ -179,8 +179,12 @@ impl Message {
             }
             Self::StepTook(keys) if keys.is_empty() => (News, lessons::texts(lang).took_nothing.to_owned()),
             Self::StepTook(keys) => {
-                let mut words: Vec<String> = keys.iter().map(|key| window::key_in_words(lang, key)).collect();
-                words.dedup();
+                let mut words: Vec<String> = Vec::new();
+                for word in keys.iter().map(|key| window::key_in_words(lang, key)) {
+                    if !words.contains(&word) {
+                        words.push(word);
+                    }
+                }
                 (News, format!("{} {}", lessons::texts(lang).took, words.join(", ")))
             }
             Self::StepNotKept(path, error) => {

@@ -27,6 +27,7 @@ use crate::scene_tree::{SceneTree, Selected};
 use crate::settings::Settings;
 use crate::shown::SeenBy;
 use crate::tools::{CameraList, LabelMode, PhotographTool};
+use crate::views::View;
 use camera_lab_words::messages::faults;
 use camera_lab_words::{Lang, told, window};
 
@@ -261,14 +262,21 @@ impl Model {
 
     /// True if there is a step to undo (`back`), or to redo.
     pub fn can_undo(&self, back: bool) -> bool {
-        self.photograph.can_undo(self.desk.shown.camera().parameters(), back) || self.desk.can_undo(back)
+        self.can_undo_marks(back) || self.desk.can_undo(back)
+    }
+
+    /// True if that step is one of the marks on a photograph that's in sight.
+    fn can_undo_marks(&self, back: bool) -> bool {
+        let figure = self.desk.shown.figure();
+        let is_beside = figure.compare.as_ref().is_some_and(|comparison| comparison.beside);
+        self.layout.is_shown(View::Image) && !is_beside && self.photograph.can_undo(self.desk.shown.step(), back)
     }
 
     /// Undoes a step of the marks on the photograph or of the figure (`back`), or redoes it. Selects restored objects.
     pub fn undo(&mut self, back: bool) {
-        let camera = *self.desk.shown.camera().parameters();
-        if self.photograph.can_undo(&camera, back) {
-            return self.photograph.undo(&camera, back);
+        self.desk.commit();
+        if self.can_undo_marks(back) {
+            return self.photograph.undo(back);
         }
         let before = self.desk.shown.figure().scene.clone();
         self.desk.undo(back);
@@ -311,8 +319,8 @@ pub(crate) mod tests {
             model.photograph.begin(DVec2::splat(x));
             model.photograph.go_on(DVec2::splat(50.0 * x));
             model.photograph.end(true);
-            model.photograph.settle(&before);
-            model.photograph.settle(&before);
+            model.photograph.settle(model.desk.shown.step());
+            model.photograph.settle(model.desk.shown.step());
         }
         let mut after = before;
         after.position.x += 1.0;

@@ -8,6 +8,8 @@ use crate::camera::{
     camera_of_photograph,
 };
 use crate::figure::{Comparison, Figure, NamedCamera};
+use crate::history::Revision;
+use crate::limits::MAX_UNDO_STEPS;
 use crate::views::View;
 use camera_lab_words::window::cameras;
 
@@ -97,10 +99,10 @@ pub struct PhotographTool {
     pub axis: Option<(DVec2, DVec2, f64)>,
     /// The marks of the last step of undo.
     settled: PhotographMarks,
-    /// The marks before each step, and the figure's camera then.
-    earlier: Vec<(PhotographMarks, Parameters)>,
+    /// The marks before each step, and the figure's step then.
+    earlier: Vec<(PhotographMarks, Revision)>,
     /// The same of the undone steps.
-    later: Vec<(PhotographMarks, Parameters)>,
+    later: Vec<(PhotographMarks, Revision)>,
 }
 
 impl Default for PhotographTool {
@@ -160,26 +162,27 @@ impl PhotographTool {
         self.marks = PhotographMarks::default();
     }
 
-    /// Makes a step of undo of the changes since the last one, in front of this camera of the figure.
-    pub fn settle(&mut self, camera: &Parameters) {
+    /// Makes a step of undo of the changes since the last one, after this step of the figure.
+    pub fn settle(&mut self, step: Revision) {
         if self.marks != self.settled {
-            self.earlier.push((std::mem::replace(&mut self.settled, self.marks.clone()), *camera));
+            self.earlier.push((std::mem::replace(&mut self.settled, self.marks.clone()), step));
+            self.earlier.drain(..self.earlier.len().saturating_sub(MAX_UNDO_STEPS));
             self.later.clear();
         }
     }
 
-    /// True if the last step (`back`), or the next one, is one of the marks. After the figure has taken its camera over,
-    /// that comes first.
-    pub(crate) fn can_undo(&self, camera: &Parameters, back: bool) -> bool {
+    /// True if the last step (`back`), or the next one, is one of the marks. Steps of the figure that came after it come
+    /// first.
+    pub(crate) fn can_undo(&self, step: Revision, back: bool) -> bool {
         let steps = if back { &self.earlier } else { &self.later };
-        self.on && steps.last().is_some_and(|(_, then)| then == camera)
+        self.on && steps.last().is_some_and(|(_, after)| *after == step)
     }
 
     /// Undoes a step of the marks (`back`), or redoes it.
-    pub(crate) fn undo(&mut self, camera: &Parameters, back: bool) {
+    pub(crate) fn undo(&mut self, back: bool) {
         let (from, to) = if back { (&mut self.earlier, &mut self.later) } else { (&mut self.later, &mut self.earlier) };
-        let Some((marks, _)) = from.pop() else { return };
-        to.push((std::mem::replace(&mut self.settled, marks), *camera));
+        let Some((marks, step)) = from.pop() else { return };
+        to.push((std::mem::replace(&mut self.settled, marks), step));
         (self.marks, self.new_line) = (self.settled.clone(), None);
     }
 

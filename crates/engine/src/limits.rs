@@ -120,6 +120,9 @@ pub const MAX_CAMERA_FILE_BYTES: u64 = 8 << 20;
 /// The most bytes of files that a picture carries for its figure, when they are packed: a mesh of some ten thousand
 /// triangles with a texture. Larger ones make the picture too heavy for mail and for a page.
 pub const MAX_CARRIED_BYTES: usize = 1 << 20;
+/// The files of a page that's handed out, or of a link, packed. The page finds them in its address, of which Firefox
+/// takes 1 MiB, and they're a third longer there.
+pub const MAX_HANDED_OUT_BYTES: usize = 640 << 10;
 
 /// The longest file of preferences or of progress with exercises in bytes. Both take some kilobytes.
 pub const MAX_KEPT_BYTES: u64 = 8 << 20;

@@ -58,6 +58,13 @@ impl Carried {
         text.and_then(Result::ok).map(|text| Self::from_text(text).1).unwrap_or_default()
     }
 
+    /// These files and others, which come before those of the same names.
+    #[must_use]
+    pub fn and(&self, others: &Self) -> Self {
+        let both = self.0.iter().chain(&*others.0).map(|(name, packed)| (name.clone(), packed.clone()));
+        Self(Arc::new(both.collect()))
+    }
+
     /// The text of a figure with the files after it.
     pub fn join(&self, text: &str) -> String {
         // Such comments in the text itself would be taken for files.

@@ -56,7 +56,7 @@ use crate::export::format::PictureFormat;
 use crate::export::png::{self, PngError};
 use crate::export::vector;
 use crate::figure::{Figure, FigureError, read};
-use crate::limits::{MAX_CAMERA_FILE_BYTES, MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
+use crate::limits::{MAX_CAMERA_FILE_BYTES, MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_HANDED_OUT_BYTES, MAX_OWN_EXERCISES};
 use crate::scene::import::MESH_ENDINGS;
 use crate::scene::{ReadProblem, system_words};
 pub use carried::Carried;
@@ -77,7 +77,7 @@ pub use patience::{before_each_file, limit_waiting, reader_wait};
 pub use save::{is_read_only, remove_left_over, save};
 use share::ShareError;
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure, Topic};
-pub use travel::{LeftOut, beside_figure, own_files, text_in_picture, text_with_files};
+pub use travel::{LeftOut, beside_figure, carried_mesh, own_files, text_in_picture, text_with_files};
 
 /// A reason why a file is unusable. Displayed, it follows the name of the file.
 #[derive(Debug, thiserror::Error)]
@@ -130,7 +130,7 @@ pub enum FileError {
     OtherPage,
     /// A page or package of something that names a file of the user's own.
     #[error(
-        "can't hold {0}, a file of yours; allowed: files that can be read and have at most {limit} MiB together when packed", limit = MAX_CARRIED_BYTES >> 20
+        "can't hold {0}, a file of yours; allowed: files that can be read and have at most {limit} KiB together when packed", limit = MAX_HANDED_OUT_BYTES >> 10
     )]
     OwnFile(String),
     /// A figure file with a fault.

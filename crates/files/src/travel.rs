@@ -4,16 +4,16 @@ use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 
 use super::carried::{Carried, packed};
-use super::file_access::FigureFiles;
+use super::file_access::{FigureFiles, FileAccess};
 use super::named_files::{Renamed, for_folder, rename};
 use super::shipped::SHIPPED;
 use super::{FileError, sanitize};
 use crate::export::format::PictureFormat;
 use crate::figure::Figure;
-use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES};
+use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_HANDED_OUT_BYTES};
 use crate::progress::{Progress, at_once};
 use crate::scene::import::{import, read_texture};
-use crate::scene::{FileUse, ReadError, Wanted};
+use crate::scene::{FileUse, ObjectSpec, ReadError, Shape, Wanted};
 
 /// The files of a figure that a picture doesn't carry, because they have more than [`MAX_CARRIED_BYTES`] together.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -108,6 +108,17 @@ pub fn text_in_picture(
     }
 }
 
+/// A mesh by its own name, with the files that it names, for a figure without a folder. `None` if it can't be read or
+/// has no room.
+pub fn carried_mesh(path: &Path) -> Option<(String, Carried)> {
+    let name = path.file_name()?.to_str()?.to_owned();
+    let mut figure = Figure::default();
+    figure.scene.objects = vec![ObjectSpec::new(name.clone(), Shape::Mesh { path: name.clone() })];
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let carried = carried(&figure, &mut FigureFiles::new(folder, FileAccess::Figure)).ok()?;
+    carried.0.contains_key(&name).then_some((name, carried))
+}
+
 /// A text with the files that its figures name, for a link or a page. Without such files it's the text itself.
 ///
 /// # Errors
@@ -126,7 +137,7 @@ pub fn text_with_files<'a>(
             return Err(no_room(missing));
         }
         all.extend(carried.iter().map(|(name, packed)| (name.clone(), packed.clone())));
-        if let Some(name) = own.keys().find(|_| all.values().map(Vec::len).sum::<usize>() > MAX_CARRIED_BYTES) {
+        if let Some(name) = own.keys().find(|_| all.values().map(Vec::len).sum::<usize>() > MAX_HANDED_OUT_BYTES) {
             return Err(no_room(name));
         }
     }

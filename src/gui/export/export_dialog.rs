@@ -16,6 +16,7 @@ use crate::gui::kit::{
 };
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::picture::Faces;
+use crate::sanitize;
 use crate::text::face;
 use crate::views::{View, Views};
 use camera_lab_desk::Model;
@@ -193,7 +194,8 @@ fn picture(
     });
     if !preview.left_out.is_empty() && preview.crowded.is_none() {
         let names = preview.left_out.iter().map(|text| text.chars().map(|c| face(c, false).1).collect::<String>());
-        let text = format!("⚠ {} {}", t.export_left_out, names.collect::<Vec<_>>().join(", "));
+        let names = names.collect::<Vec<_>>().join(", ");
+        let text = format!("⚠ {} {}", t.export_left_out, sanitize::within(&names, 120));
         ui.add(egui::Label::new(RichText::new(text).color(ui.visuals().warn_fg_color)).wrap());
     }
     if let Some(crowded) = &preview.crowded {

@@ -7,9 +7,9 @@ use super::family_choice::FamilyChoice;
 use crate::export::format::PictureFormat;
 use crate::gui::export::{Export, ExportSource};
 use crate::gui::kit::frames;
-use crate::picture::{self, Composite, Crowded, FileOptions, Pixels, Renderer};
+use crate::picture::{self, Composite, Crowded, FileOptions, Renderer};
 use crate::progress::Progress;
-use crate::views::{Request, View};
+use crate::views::View;
 use camera_lab_desk::{ExportError, Worker};
 
 /// The preview is drawn at this multiple of its displayed size, so that thin strokes stay whole.
@@ -84,6 +84,7 @@ fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
     async |PreviewJob { subject, export, room, as_svg }, progress: &Progress| {
         let sheet = subject.sheet(&export, progress).await?;
         let size = sheet.size().unwrap_or([export.width, export.height]);
+        let has_room = room.is_some();
         let sheet = sheet.reduced(room.map_or(1.0, |room| factor(size, room)));
         if as_svg {
             let form = FileOptions { format: PictureFormat::Svg, ..export.spec(false).options };
@@ -96,25 +97,24 @@ fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
         let (size_drawn, rgba) = ([pixels.width(), pixels.height()], pixels.rgba());
         let room = room.map_or([f32::INFINITY; 2], |room| room.map(|side| side / FINENESS));
         let shown = reduced(size_drawn, rgba, room);
-        // A family has captions, and names would be missing in many of its small pictures.
-        let left_out = if sheet.requests.len() <= View::ALL.len() { left_out(&sheet).await } else { Vec::new() };
+        // A family has captions, and names would be missing in many of its small pictures. The clipboard says nothing.
+        let says = has_room && sheet.requests.len() <= View::ALL.len();
+        let left_out = if says { left_out(&sheet) } else { Vec::new() };
         Ok(Drawn::Picture(shown, sheet.crowded, left_out, size))
     }
 }
 
 /// The labels that find no free place in the pictures, but would in larger ones.
-async fn left_out(sheet: &Composite) -> Vec<String> {
+fn left_out(sheet: &Composite) -> Vec<String> {
     let (mut renderer, mut missing) = (Renderer::default(), Vec::new());
     for own in &sheet.requests {
-        let mut roomy = own.clone();
-        (roomy.size.width, roomy.size.height) = (2 * own.size.width, 2 * own.size.height);
-        let mut places = async |request: &Request| {
-            let report = renderer.pixels_into(request, &mut Pixels::default()).await;
-            report.map(|report| report.labels).unwrap_or_default()
-        };
-        let (placed, all) = (places(own).await, places(&roomy).await);
+        let placed = renderer.labels(own);
         let is_placed = |name: &str| placed.iter().any(|label| label.name == name);
-        missing.extend(all.into_iter().filter(|label| !is_placed(&label.name)).map(|label| label.text));
+        for label in renderer.labels_with_room(own) {
+            if !is_placed(&label.name) && !missing.contains(&label.text) {
+                missing.push(label.text);
+            }
+        }
     }
     missing
 }

@@ -51,7 +51,9 @@ impl Annotations {
         if self.step.as_ref().map(|(lesson, step)| (lesson.as_str(), *step)) != step {
             let step = step.map(|(lesson, step)| (lesson.to_owned(), step));
             let from = std::mem::replace(&mut self.step, step.clone());
-            self.turn((None, from), &(None, step));
+            // The figure behind the lesson is no other page of a lecture.
+            let behind = || Some((String::new(), 0));
+            self.turn((None, from.or_else(behind)), &(None, step.or_else(behind)));
             if self.step.is_none() {
                 // Outside of the lesson nobody sees them, and the next class begins without them.
                 self.others.retain(|((_, step), _)| step.is_none());

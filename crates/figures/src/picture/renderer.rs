@@ -188,6 +188,20 @@ impl Renderer {
         at_once(self.timed_drawing(request)).map(|(frame, _)| frame)
     }
 
+    /// The places of a picture's labels, without painting it. For a compared picture, those of both sides.
+    pub fn labels(&mut self, request: &Request) -> Vec<LabelPlace> {
+        let sides =
+            request.sides().map_or_else(|| vec![request.clone()], |sides| sides.map(|side| side.request).into());
+        let frames = sides.iter().filter_map(|side| self.drawing(side));
+        frames.flat_map(|frame| LabelPlace::all(&frame.drawing)).collect()
+    }
+
+    /// The same at twice the size, where labels have places that found none in the picture.
+    pub fn labels_with_room(&mut self, request: &Request) -> Vec<LabelPlace> {
+        let Size { width, height, scale } = request.size;
+        self.labels(&Request { size: Size { width: 2 * width, height: 2 * height, scale }, ..request.clone() })
+    }
+
     /// The cost of each pixel of a picture. For a compared picture, that of the figure as it is. `None` without enough
     /// memory, or if it was cancelled. It pauses on the way.
     pub async fn costs(&mut self, request: &Request, progress: &Progress) -> Option<Costs> {

@@ -6,7 +6,9 @@ use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
 use crate::export::format::PictureFormat;
 use crate::export::png::{Damage, PngError};
-use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
+use crate::limits::{
+    MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_HANDED_OUT_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES,
+};
 use crate::scene::ReadProblem;
 use crate::{Grammar, sanitize};
 use camera_lab_files::hand_out::PAGE_NAME;
@@ -60,8 +62,8 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
             env!("CARGO_PKG_VERSION")
         ),
         (Grammar::Portuguese, FileError::OwnFile(own)) => format!(
-            "{name} não pode conter {own}, um arquivo seu; permitido: arquivos que possam ser lidos e tenham no máximo {} MiB juntos quando compactados",
-            MAX_CARRIED_BYTES >> 20
+            "{name} não pode conter {own}, um arquivo seu; permitido: arquivos que possam ser lidos e tenham no máximo {} KiB juntos quando compactados",
+            MAX_HANDED_OUT_BYTES >> 10
         ),
         (Grammar::Portuguese, FileError::NotRegular) => after_name(&ReadProblem::NotRegular),
         (Grammar::Portuguese, FileError::Network) => after_name(&ReadProblem::Network),

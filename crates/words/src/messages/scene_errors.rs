@@ -38,7 +38,10 @@ pub fn scene_in_window(lang: Lang, error: &SceneError) -> String {
 pub fn opened_mesh(lang: Lang, path: &str, error: &SceneError) -> String {
     let why = scene_wording(lang, error).in_symbols;
     match error {
-        SceneError::Mesh { error: MeshError::Empty, .. } => format!("{why}. {}", window::texts(lang).paste_camera),
+        // The other formats hold no camera, or none as text.
+        SceneError::Mesh { path, error: MeshError::Empty, .. } if path.to_lowercase().ends_with(".gltf") => {
+            format!("{why}. {}", window::texts(lang).paste_camera)
+        }
         // The file is named in it.
         SceneError::Mesh { .. } => why,
         _ => format!("{path}: {why}"),

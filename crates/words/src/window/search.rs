@@ -92,7 +92,16 @@ const SYNONYMS: &[&[&str]] = &[
     &["dark mode", "modo escuro", "night mode", "modo noturno", "dark theme", "tema escuro"],
     &["title", "titulo", "caption", "legenda", "heading", "cabecalho"],
     &["pdf", "svg", "tex", "webp", "transparent", "transparente", "export", "exportar"],
-    &["run time", "runtime", "tempo de execucao", "benchmark", "numerics", "error against run time", "erro por tempo"],
+    &[
+        "run time",
+        "runtime",
+        "tempo de execucao",
+        "benchmark",
+        "numerics",
+        "numerica",
+        "error against run time",
+        "erro por tempo",
+    ],
     &["empty image", "empty", "black image", "imagem vazia", "imagem preta", "camera check", "diagnostico da camera"],
     &["compare cameras", "comparar cameras", "two cameras", "duas cameras", "compare", "comparar"],
     &[
@@ -130,7 +139,7 @@ const SYNONYMS: &[&[&str]] = &[
     &["scorm", "moodle", "canvas", "for the course platform", "para a plataforma do curso"],
     &["weak projector", "projetor fraco", "strong contrast", "contraste forte"],
     &["shortcut", "shortcuts", "atalho", "atalhos", "keyboard", "teclado", "keys"],
-    &["study", "studies", "estudo", "estudos", "numerics", "error against run time", "erro por tempo"],
+    &["study", "studies", "estudo", "estudos", "numerics", "numerica", "error against run time", "erro por tempo"],
     &["students", "alunos", "estudantes", "a class", "uma turma", "my class", "minha turma", "report", "relatorio"],
     &["progress", "progresso", "export progress", "exportar progresso", "exercises", "exercicios"],
     &["import", "importar", "gltf", "glb", "obj", "stl", "ply", "mesh file", "arquivo de malha", "open", "abrir"],
@@ -169,9 +178,12 @@ pub fn also_called(wanted: &str) -> Vec<String> {
         let inside = group.iter().find(|name| name.len() > 2 && format!(" {wanted} ").contains(&format!(" {name} ")));
         let Some(name) = group.iter().find(is_meant).or(inside) else { continue };
         for other in group.iter().filter(|other| *other != name) {
-            let replaced = wanted.contains(name).then(|| wanted.replace(name, other));
-            // Among other words, for example “save as pdf”, the other name alone counts too.
-            for said in replaced.into_iter().chain([(*other).to_owned()]) {
+            let is_part = wanted.contains(name);
+            let replaced = is_part.then(|| wanted.replace(name, other));
+            // Among other words, for example “save as pdf”, the other name alone counts too, if it's no short word that
+            // many texts have in them, and the words together are no name themselves.
+            let alone = (wanted == **name || !is_part || !is_whole && other.len() > 4).then(|| (*other).to_owned());
+            for said in replaced.into_iter().chain(alone) {
                 if !all.contains(&said) {
                     all.push(said);
                 }

@@ -30,8 +30,8 @@ pub struct Sharing {
     link: Memo<(String, bool), Result<Link, ShareError>>,
 }
 
-/// A link, and the names of the files that it leaves out.
-type Link = (String, Vec<String>);
+/// A link, the names of the files that it leaves out, and true if a page would hold them.
+type Link = (String, Vec<String>, bool);
 
 /// Shows the dialog, with the reason why it's `asked` for. Returns the dialog that stays open. `first` is true when it
 /// has just been opened.
@@ -64,7 +64,7 @@ pub(in crate::gui) fn show(
     }
     let link = sharing.link(model, learn, first);
     match &link {
-        Ok((link, _)) => {
+        Ok((link, ..)) => {
             // If the clipboard is out of reach, the user can copy the link from here.
             let mut shown = link.as_str();
             let field = TextField::fixed_line(&mut shown);
@@ -75,10 +75,13 @@ pub(in crate::gui) fn show(
         }
         Err(error) => complaint(ui, &camera_lab_words::messages::link(model.settings.lang, *error)),
     }
-    if let Ok((_, own)) = &link
+    if let Ok((_, own, fits_page)) = &link
         && !own.is_empty()
     {
         complaint(ui, &format!("{} {}", words.own_files, sanitize::within(&own.join(", "), 200)));
+        if *fits_page && !model.in_browser {
+            ui.label(words.own_files_in_page);
+        }
     }
     ui.add_space(10.0);
     let actions: &[&str] = match &link {
@@ -89,7 +92,7 @@ pub(in crate::gui) fn show(
     match buttons(ui, t.cancel, actions, (first && asked.is_none()).then_some(0)) {
         Pressed::Action(1) => return Some(Dialog::Qr),
         Pressed::Action(_) => {
-            if let Ok((link, _)) = link {
+            if let Ok((link, ..)) = link {
                 let length = link.len();
                 ui.ctx().copy_text(link);
                 model.say(Message::LinkCopied(length));
@@ -144,7 +147,7 @@ fn made(model: &Model, learn: &Learn, address: &str) -> Result<Link, ShareError>
     if let Some(playing) = of_program {
         let lang = model.settings.lang.tag();
         let link = format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1);
-        return Ok((link, Vec::new()));
+        return Ok((link, Vec::new(), true));
     }
     let whole = learn.lesson.as_ref().filter(|playing| playing.links_whole);
     let whole = whole.and_then(|playing| Some((playing, playing.path.as_deref()?)));
@@ -172,10 +175,11 @@ fn with_files<'a>(
     figures: impl Iterator<Item = &'a Figure> + Clone,
     from: &FigureFiles,
 ) -> Result<Link, ShareError> {
-    let whole = files::text_with_files(text, figures.clone(), from);
-    if let Some(link) = whole.ok().and_then(|whole| share::link(address, held, &whole).ok()) {
-        return Ok((link, Vec::new()));
+    let whole = files::text_with_files(text, figures.clone(), from).ok();
+    if let Some(link) = whole.as_ref().and_then(|whole| share::link(address, held, whole).ok()) {
+        return Ok((link, Vec::new(), true));
     }
     let own: BTreeSet<&str> = figures.flat_map(|figure| files::own_files(figure).into_keys()).collect();
-    Ok((share::link(address, held, text)?, own.into_iter().map(sanitize::path_text).collect()))
+    let own = own.into_iter().map(sanitize::path_text).collect();
+    Ok((share::link(address, held, text)?, own, whole.is_some()))
 }

@@ -19,7 +19,8 @@ use camera_lab_files::{self as files, FileError, Opened, share};
 
 /// Puts a mesh file into the scene.
 pub(in crate::gui) fn mesh(model: &mut Model, which: MeshFor, path: &Path) {
-    let named = files::named_in_figure(model.desk.shown.folder(), path);
+    let carried = model.desk.shown.carry_mesh(path);
+    let named = carried.unwrap_or_else(|| files::named_in_figure(model.desk.shown.folder(), path));
     match which {
         MeshFor::New => model.insert_mesh(named),
         MeshFor::Object(name) => model.desk.shown.edit(|figure| {

@@ -20,7 +20,7 @@ pub(in crate::gui) fn show(
     first: bool,
 ) -> bool {
     let t = sharing::texts(model.settings.lang);
-    let link = sharing.link(model, learn, first).map(|(link, _)| link);
+    let link = sharing.link(model, learn, first).map(|(link, ..)| link);
     let code = link.as_ref().ok().and_then(|link| QrCode::with_error_correction_level(link, EcLevel::L).ok());
     let rect = ctx.content_rect();
     let mut closes = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));

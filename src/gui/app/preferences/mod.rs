@@ -484,7 +484,7 @@ mod tests {
             Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
         changed.gallery.remember(PathBuf::from("/lectures"));
         changed.sharing.page_file = PathBuf::from("/lectures/camera-lab.html");
-        changed.learn.ticks = ["plan", "basis"].map(str::to_owned).to_vec();
+        changed.learn.ticks = ["plan", "3-30", "basis"].map(str::to_owned).to_vec();
         changed.export.what = Views::Without(crate::views::View::Image);
         changed.exported_of = Some(Views::All);
         changed.sharing.page_address = "https://example.org/lab/".to_owned();

@@ -34,7 +34,7 @@ pub(in crate::gui) fn offer(window: &Window, runner: &WebRunner) -> Result<(), J
         let Some(page) = of.app_mut::<Page>() else { return Ok(JsValue::NULL) };
         let address = page.app.state.sharing.own_address.clone().unwrap_or_default();
         let link = figure_link(&page.app.state.model, &address);
-        link.map(|(link, _)| JsValue::from(link)).map_err(|error| js_sys::Error::new(&error.to_string()).into())
+        link.map(|(link, ..)| JsValue::from(link)).map_err(|error| js_sys::Error::new(&error.to_string()).into())
     });
     Reflect::set(&lab, &"link".into(), &link.into_js_value())?;
     let of = runner.clone();

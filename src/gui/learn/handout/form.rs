@@ -115,3 +115,28 @@ pub(in crate::gui) fn played(learn: &Learn) -> Option<OpenLesson> {
     let first = || shipped().first().map(|shipped| (shipped.lesson.clone(), None));
     of_playing.or_else(first).map(|(lesson, path)| OpenLesson { lesson, path, step: 0 })
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::gui::Start;
+    use crate::gui::app::state::State;
+    use camera_lab_words::Lang;
+
+    #[test]
+    fn the_last_run_gives_ticks_and_numbers_and_its_file_says_if_it_has_solutions() {
+        let mut state = State::new(Start::default()).expect("a camera");
+        state.learn.ticks_before = ["answers", "3-30", "basis"].map(str::to_owned).to_vec();
+        let mut form = HandoutForm::of(&state.learn, Lang::En, false, String::new());
+        assert_eq!((form.seeds, form.exercises.as_slice()), ([3, 30], &["basis".to_owned()][..]));
+        assert_eq!(form.ticks(), state.learn.ticks_before);
+        assert_eq!(form.stem(), "exercises", "the solutions of several versions stand beside it");
+        form.seeds = [3, 3];
+        assert_eq!(form.stem(), "exercises-with-solutions");
+        for no_numbers in ["30-3", "3-", "0-10000", "1-9999"] {
+            assert_eq!(numbers(no_numbers), None, "{no_numbers}");
+        }
+    }
+}

@@ -470,15 +470,21 @@ impl Learn {
         }
     }
 
-    /// Goes on with a built-in lesson as the user's own, in a copy in a file.
+    /// Goes on with a built-in lesson or that of a link as the user's own, in a copy in a file.
     pub(in crate::gui) fn copy_lesson(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
         if !CAN_WRITE {
             return;
         }
         let Some(playing) = &self.lesson else { return };
-        let id = playing.lesson.id.clone();
-        let Some(shipped) = crate::lessons::shipped().iter().find(|shipped| shipped.lesson.id == id) else { return };
-        match files::save(path, shipped.text.as_bytes(), overwrite) {
+        let text = match &playing.path {
+            Some(link) => files::read_lesson(link).map(|(_, text)| text),
+            None => {
+                let mut all = crate::lessons::shipped().iter();
+                let Some(shipped) = all.find(|shipped| shipped.lesson.id == playing.lesson.id) else { return };
+                Ok(shipped.text.to_owned())
+            }
+        };
+        match text.and_then(|text| files::save(path, text.as_bytes(), overwrite)) {
             Ok(()) => {
                 // The figure of the step stays as on the screen.
                 if let Some(playing) = &mut self.lesson {

@@ -12,6 +12,7 @@ use crate::figure::{Letters, Measure, MeasureText};
 use crate::gui::kit::{Explained, TextField, text_field, theme};
 use crate::gui::views::{Canvas, Pane};
 use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
+use crate::picture::Renderer;
 use crate::sanitize::escaped;
 use crate::text::{Face, face};
 use crate::views::{View, unknown_labels};
@@ -40,11 +41,9 @@ impl Canvas {
             }
             ui.separator();
             measures(ui, model, t);
-            let all: BTreeSet<String> = panes
-                .iter()
-                .flat_map(|pane| self.pictures[pane.picture].labels.iter().map(|label| label.name.clone()))
-                .collect();
-            whole(ui, model, t, &|ui, name| self.words_of(ui, name), &all);
+            if whole(ui, model, t, &|ui, name| self.words_of(ui, name)) {
+                hide_all(model, panes);
+            }
             for (name, near) in unknown_labels(&self.shot, model.scene_cache.scene()) {
                 let text = words::unknown(model.settings.lang, &name, near.as_deref());
                 ui.colored_label(ui.visuals().warn_fg_color, text);
@@ -237,8 +236,8 @@ fn text_of_measure(ui: &mut Ui, model: &mut Model, name: &str, t: &Texts) {
     });
 }
 
-/// The part for all labels, with the words of hidden ones.
-fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str) -> String, all: &BTreeSet<String>) {
+/// The part for all labels, with the words of hidden ones. Returns true if all are to be hidden.
+fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str) -> String) -> bool {
     let labels = &model.desk.shown.figure().labels;
     let (hidden, notes) = (labels.hidden.clone(), labels.notes.len());
     let mut is_mathematics = labels.letters == Letters::Mathematics;
@@ -256,19 +255,14 @@ fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str)
         let letters = if is_mathematics { Letters::Mathematics } else { Letters::Plain };
         model.desk.shown.edit_labels(|labels| labels.letters = letters);
     }
+    let mut hides_all = false;
     ui.horizontal_wrapped(|ui| {
         let has_room = notes < MAX_LABELS;
         let add = ui.add_enabled(has_room, egui::Button::new(t.add).selected(model.label_mode.adding));
         if add.explained(if has_room { t.add_hint } else { t.full }).clicked() {
             model.label_mode.adding ^= true;
         }
-        let hide_all = ui.add_enabled(!all.is_empty(), egui::Button::new(t.hide_all));
-        if hide_all.explained(t.hide_all_hint).clicked() {
-            // Notes would be deleted.
-            let labels = all.iter().filter(|name| note_index(name).is_none());
-            model.desk.shown.edit_labels(|shown| labels.for_each(|name| shown.hide(name)));
-            model.label_mode.choose(None);
-        }
+        hides_all = ui.button(t.hide_all).explained(t.hide_all_hint).clicked();
         if ui.button(t.all_automatic).explained(t.all_automatic_hint).clicked() {
             model.desk.shown.edit_labels(|labels| labels.reset_all());
             model.label_mode.typed = None;
@@ -277,4 +271,16 @@ fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str)
             model.label_mode.toggle();
         }
     });
+    hides_all
+}
+
+/// Hides the labels of the views, also those without room, which would take the places that become free. Notes stay,
+/// because hiding one deletes it.
+fn hide_all(model: &mut Model, panes: &[Pane]) {
+    let mut renderer = Renderer::default();
+    let labels = panes.iter().flat_map(|pane| renderer.labels_with_room(&pane.request));
+    let names: BTreeSet<String> = labels.map(|label| label.name).filter(|name| note_index(name).is_none()).collect();
+    let room = MAX_LABELS.saturating_sub(model.desk.shown.figure().labels.hidden.len());
+    model.desk.shown.edit_labels(|shown| names.iter().take(room).for_each(|name| shown.hide(name)));
+    model.label_mode.choose(None);
 }

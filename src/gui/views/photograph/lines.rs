@@ -47,9 +47,9 @@ impl Canvas {
         if let Some(grip) = removed {
             photograph.remove(grip);
         }
-        // A drag is one step.
-        if !ui.input(|input| input.pointer.any_down()) {
-            photograph.settle(&given);
+        // A drag is one step, and so is a number.
+        if !ui.input(|input| input.pointer.any_down()) && !ui.ctx().text_edit_focused() {
+            photograph.settle(desk.shown.step());
         }
         let found = photograph.camera(image, &given).ok();
         paint(ui, settings, photograph, pane, &place, found.as_ref());
