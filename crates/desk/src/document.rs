@@ -498,8 +498,8 @@ impl Document {
         FigureFiles::new(self.folder().unwrap_or(Path::new("")), self.reach).with(&self.carried)
     }
 
-    /// Takes a mesh and the files that it names into a figure from a link, which finds no files. Returns the name of the
-    /// mesh. `None` for other figures, and if the mesh can't be read or is too large.
+    /// Takes a mesh and the files that it names into a figure from a link, which finds no files. Returns the name of
+    /// the mesh. `None` for other figures, and if the mesh can't be read or is too large.
     pub fn carry_mesh(&mut self, path: &Path) -> Option<String> {
         let (name, carried) = Some(path).filter(|_| self.reach == FileAccess::Link).and_then(carried_mesh)?;
         self.carried = self.carried.and(&carried);

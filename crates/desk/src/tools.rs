@@ -171,8 +171,8 @@ impl PhotographTool {
         }
     }
 
-    /// True if the last step (`back`), or the next one, is one of the marks. Steps of the figure that came after it come
-    /// first.
+    /// True if the last step (`back`), or the next one, is one of the marks. Steps of the figure that came after it
+    /// come first.
     pub(crate) fn can_undo(&self, step: Revision, back: bool) -> bool {
         let steps = if back { &self.earlier } else { &self.later };
         self.on && steps.last().is_some_and(|(_, after)| *after == step)

@@ -283,7 +283,8 @@ fn figure_of(bytes: &[u8], is_link: bool) -> Result<Opened, FileError> {
     Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture, carried })
 }
 
-/// The text of the figure in the bytes of a file or a link, true for a picture or a link, and the files that it carries.
+/// The text of the figure in the bytes of a file or a link, true for a picture or a link, and the files that it
+/// carries.
 fn figure_text(bytes: &[u8], is_link: bool) -> Result<(Cow<'_, [u8]>, bool, Carried), FileError> {
     let from_vectors = vector::figure_in(bytes);
     let from_picture = is_link || png::is_png(bytes) || from_vectors.is_some();

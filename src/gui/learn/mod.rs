@@ -21,6 +21,9 @@ use crate::lessons::{Lesson, Task};
 use camera_lab_desk::{Action, Document, Mark, Model, Placing};
 use camera_lab_words::learn::{exercise_window, lessons};
 
+/// False in a page of a browser. It has no files, so nothing writes a lesson there, and it needn't carry the code.
+pub(in crate::gui) const CAN_WRITE: bool = !cfg!(target_arch = "wasm32");
+
 /// The exercises, the lesson being played, and the progress in them.
 #[derive(Debug, Default)]
 pub struct Learn {

@@ -19,7 +19,7 @@ pub(in crate::gui) use speaker::window as speaker_window;
 use crate::figure::{Explanation, Localized};
 use crate::gui::kit::{Command, Explained, Region, focus, is_handheld, prose, theme};
 use crate::gui::learn::exercises::state::Chosen;
-use crate::gui::learn::{Learn, lesson_link};
+use crate::gui::learn::{CAN_WRITE, Learn, lesson_link};
 use crate::lessons::{self, Lesson, Link, Task};
 use camera_lab_desk::{Action, Model};
 use camera_lab_words::learn::lessons::Texts;
@@ -297,7 +297,7 @@ fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<C
     // A built-in lesson is copied first.
     let is_own = learn.plays_own_lesson(model);
     let is_shipped = learn.lesson.as_ref().is_some_and(|playing| playing.path.is_none());
-    let can_write = writing::CAN_WRITE && (is_own || is_shipped && !model.in_browser) && !model.settings.presentation;
+    let can_write = CAN_WRITE && (is_own || is_shipped && !model.in_browser) && !model.settings.presentation;
     let playing = learn.lesson.as_ref()?;
     let writing = playing.writing.is_some();
     let lesson = playing.lesson.clone();

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::figure::{Figure, Localized, Screen};
-use crate::gui::learn::Learn;
-use crate::gui::learn::lesson::writing::CAN_WRITE;
+use crate::gui::learn::{CAN_WRITE, Learn};
 use crate::lessons::{Draft, Lesson, with_step};
 use camera_lab_desk::{Message, Model, Side};
 use camera_lab_files::{self as files, FigureFiles, FileAccess, FileError, LeftOut, Overwrite};

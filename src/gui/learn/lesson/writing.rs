@@ -5,8 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::{Figure, FigureError, Localized, difference};
-use crate::gui::learn::Learn;
 use crate::gui::learn::lesson::recording::for_lesson;
+use crate::gui::learn::{CAN_WRITE, Learn};
 use crate::lessons::{
     Edit, Lesson, LessonText, OpenLesson, StepText, Task, TaskText, Words, edited, reworded, text_of_step, with_step,
     words_in_file,
@@ -14,9 +14,6 @@ use crate::lessons::{
 use camera_lab_desk::{Message, Model, UnsavedText};
 use camera_lab_files::{self as files, FileError, Overwrite, share};
 use camera_lab_words::Lang;
-
-/// False in a page of a browser. It has no files, so nothing writes a lesson there, and it needn't carry the code.
-pub(in crate::gui) const CAN_WRITE: bool = !cfg!(target_arch = "wasm32");
 
 /// Changes that can be taken back.
 const MOST_EARLIER: usize = 100;
