@@ -168,6 +168,7 @@ fn outside_a_presentation_menu_keys_apply_and_a_new_figure_is_not_lost() {
     window.enter("B", "33");
     window.command_key(Key::PageDown);
     assert_eq!(name(&window), "primitives.toml");
+    assert!(window.says(en::WINDOW.work_waits), "its changes aren't saved");
     window.command_key(Key::PageDown);
     assert_eq!(name(&window), "house.toml");
     window.key(Key::PageUp);

@@ -206,6 +206,32 @@ fn factor([width, height]: [u32; 2], room: [f32; 2]) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::NamedPoint;
+
+    #[test]
+    fn labels_without_room_are_named() {
+        let mut state = crate::gui::app::state::State::new(crate::gui::Start::default()).expect("a camera");
+        // A crowd of followed points.
+        for k in 0..24 {
+            let position = glam::DVec3::new(0.02 * f64::from(k), 0.5, 0.0);
+            state.model.desk.shown.edit(|figure| {
+                figure.points.push(NamedPoint { name: format!("point {k}"), position });
+            });
+        }
+        let missing = |size| {
+            let what = crate::views::Views::One(View::World);
+            let export = Export { what, scale: 1.0, ..Export::new([size; 3], 1.0) };
+            let export = Export { width: size[0], height: size[1], times: None, ..export };
+            let subject = ExportSource::of(&state.model, &FamilyChoice::default(), crate::appearance::Theme::Light);
+            let sheet = crate::progress::at_once(subject.sheet(&export, &Progress::default())).expect("a sheet");
+            left_out(&sheet)
+        };
+        let [small, large] = [[200, 150], [1600, 1200]].map(missing);
+        assert!(
+            small.iter().any(|name| name.starts_with("point")) && large.len() < small.len(),
+            "{small:?}, {large:?}"
+        );
+    }
 
     #[test]
     fn a_thin_stroke_stays_visible_wherever_it_lies() {

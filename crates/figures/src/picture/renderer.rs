@@ -196,10 +196,10 @@ impl Renderer {
         frames.flat_map(|frame| LabelPlace::all(&frame.drawing)).collect()
     }
 
-    /// The same at twice the size, where labels have places that found none in the picture.
+    /// The same at four times the size, where labels have places that found none in the picture.
     pub fn labels_with_room(&mut self, request: &Request) -> Vec<LabelPlace> {
         let Size { width, height, scale } = request.size;
-        self.labels(&Request { size: Size { width: 2 * width, height: 2 * height, scale }, ..request.clone() })
+        self.labels(&Request { size: Size { width: 4 * width, height: 4 * height, scale }, ..request.clone() })
     }
 
     /// The cost of each pixel of a picture. For a compared picture, that of the figure as it is. `None` without enough
