@@ -161,6 +161,14 @@ fn the_numbers_at_the_pointer_are_those_of_its_side() {
     window.harness.hover_at(wiper + vec2(60.0, 0.0));
     window.run();
     assert!(window.says("/ 80 × 60"));
+    // The numbers of a pinned place follow the figure.
+    window.click_at(wiper + vec2(-60.0, 0.0));
+    window.harness.hover_at(eframe::egui::pos2(640.0, 795.0));
+    window.run();
+    assert!(window.says("Pixel (3"));
+    window.app_mut().state.model.desk.shown.edit(|figure| (figure.image.width, figure.image.height) = (400, 300));
+    window.run();
+    assert!(window.says("Pixel (1") && !window.says("Pixel (3"));
 }
 
 #[test]
