@@ -309,7 +309,7 @@ fn a_dropped_file_is_opened_after_the_question_about_changes() {
     assert_eq!(window.state().model.desk.shown.name().as_deref(), Some("dropped.toml"));
 }
 
-/// A file with cameras only is no scene. The message says what to do with it, and the figure stays.
+/// If a file holds only cameras, a message says what to do with it, and the figure stays.
 #[test]
 fn a_mesh_without_faces_is_refused_and_its_camera_has_a_way() {
     let folder = Folder::new("mesh-camera");

@@ -243,3 +243,13 @@ fn the_figures_of_the_guides_can_be_redrawn() {
         bench.run(&["inspect", figure]).done();
     }
 }
+
+/// The limit of the files that go along stands in several guides.
+#[test]
+fn guides_give_the_limit_of_what_is_handed_out() {
+    let limit = format!("{} KiB", camera_lab::limits::MAX_HANDED_OUT_BYTES >> 10);
+    let limits = (Lang::En, include_str!("../../docs/limits.md"));
+    for (lang, guide) in LECTURER.into_iter().chain(AUTHOR).chain([limits]) {
+        assert!(guide.contains(&limit), "{lang:?}: {limit} is missing in {:?}", guide.lines().next());
+    }
+}

@@ -55,7 +55,7 @@ impl Annotations {
             let behind = || Some((String::new(), 0));
             self.turn((None, from.or_else(behind)), &(None, step.or_else(behind)));
             if self.step.is_none() {
-                // Outside of the lesson nobody sees them, and the next class begins without them.
+                // The next class begins without them.
                 self.others.retain(|((_, step), _)| step.is_none());
             }
         }

@@ -51,6 +51,32 @@ impl Learn {
         }
     }
 
+    /// Goes on with a built-in lesson or that of a link as the user's own, in a copy in a file.
+    pub(in crate::gui) fn copy_lesson(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
+        if !CAN_WRITE {
+            return;
+        }
+        let Some(playing) = &self.lesson else { return };
+        let text = match &playing.path {
+            Some(link) => files::read_lesson(link).map(|(_, text)| text),
+            None => {
+                let mut all = crate::lessons::shipped().iter();
+                let Some(shipped) = all.find(|shipped| shipped.lesson.id == playing.lesson.id) else { return };
+                Ok(shipped.text.to_owned())
+            }
+        };
+        match text.and_then(|text| files::save(path, text.as_bytes(), overwrite)) {
+            Ok(()) => {
+                // The figure of the step stays as on the screen.
+                if let Some(playing) = &mut self.lesson {
+                    playing.path = Some(path.to_owned());
+                }
+                self.write_lesson(model);
+            }
+            Err(error) => model.say(Message::File(path.to_owned(), error)),
+        }
+    }
+
     /// True if the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
     pub(in crate::gui) fn is_recorded(&self, model: &mut Model) -> bool {
         if !CAN_WRITE {
