@@ -1,11 +1,14 @@
 //! Files to hand out: the page for students, and the package for a course platform.
 
 use std::fs;
+use std::path::Path;
 
 use camera_lab::gui::app::file_flow::questions::{Dialog, Purpose};
 use camera_lab::lessons::shipped;
-use camera_lab_files::share::text_in;
+use camera_lab_files::hand_out::lesson_with_files;
+use camera_lab_files::share::{self, Held, text_in};
 use camera_lab_words::Lang;
+use camera_lab_words::learn::lessons;
 use camera_lab_words::window::sharing;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
@@ -81,7 +84,7 @@ fn a_figure_that_is_handed_out_takes_its_mesh_along() {
     for link in [of_page, of_dialog] {
         let mut other = Window::new(Lang::En);
         other.command_key(Key::O);
-        other.choose(std::path::Path::new(&link));
+        other.choose(Path::new(&link));
         other.run();
         other.wait(|window| !window.state().model.scene_cache.scene().objects.is_empty());
         let objects = |window: &Window| {
@@ -95,4 +98,32 @@ fn a_figure_that_is_handed_out_takes_its_mesh_along() {
         other.wait(|window| objects(window) == 2);
         assert!(!other.says("second.obj"), "nothing is refused");
     }
+}
+
+/// The copy of a lesson from a link has the meshes that came with it.
+#[test]
+fn a_lesson_from_a_link_is_copied_with_its_meshes() {
+    let folder = Folder::new("hand-out-copy");
+    fs::write(folder.file("tent.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n").expect("written");
+    let text = "id = \"own\"\ntitle = \"Own\"\n[[step]]\ntitle = \"One\"\n[[step.scene.objects]]\nname = \"tent\"\n\
+                shape = \"mesh\"\npath = \"tent.obj\"\n";
+    let lesson = camera_lab::lessons::parse(text).expect("a lesson");
+    let whole = lesson_with_files(text, &lesson, Some(&folder.file("own.toml"))).expect("it has room");
+    let link = share::link("", Held::Lesson, &whole).expect("a link");
+    fs::create_dir(folder.file("mine")).expect("a folder");
+    let copy = folder.file("mine/copy.toml");
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::O);
+    window.choose(Path::new(&link));
+    window.run();
+    // The button is there for all lessons that aren't in a file yet.
+    window.click(lessons::texts(Lang::En).copy_title);
+    window.choose(&copy);
+    window.run();
+    assert_eq!(fs::read_to_string(&copy).expect("a lesson"), text);
+    assert_eq!(
+        fs::read(folder.file("mine/tent.obj")).expect("a mesh"),
+        fs::read(folder.file("tent.obj")).expect("a mesh")
+    );
+    assert_eq!(window.state().learn.lesson.as_ref().and_then(|playing| playing.path.as_deref()), Some(&*copy));
 }

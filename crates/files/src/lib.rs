@@ -77,7 +77,7 @@ pub use patience::{before_each_file, limit_waiting, reader_wait};
 pub use save::{is_read_only, remove_left_over, save};
 use share::ShareError;
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure, Topic};
-pub use travel::{LeftOut, beside_figure, carried_mesh, own_files, text_in_picture, text_with_files};
+pub use travel::{LeftOut, beside_figure, carried_mesh, own_files, save_carried, text_in_picture, text_with_files};
 
 /// A reason why a file is unusable. Displayed, it follows the name of the file.
 #[derive(Debug, thiserror::Error)]

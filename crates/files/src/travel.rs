@@ -7,12 +7,12 @@ use super::carried::{Carried, packed};
 use super::file_access::{FigureFiles, FileAccess};
 use super::named_files::{Renamed, for_folder, rename};
 use super::shipped::SHIPPED;
-use super::{FileError, sanitize};
+use super::{FileError, Overwrite, disk, has_ending, sanitize};
 use crate::export::format::PictureFormat;
 use crate::figure::Figure;
-use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_HANDED_OUT_BYTES};
+use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_HANDED_OUT_BYTES, MAX_SCENE_BYTES};
 use crate::progress::{Progress, at_once};
-use crate::scene::import::{import, read_texture};
+use crate::scene::import::{MESH_ENDINGS, import, read_texture};
 use crate::scene::{FileUse, ObjectSpec, ReadError, Shape, Wanted};
 
 /// The files of a figure that a picture doesn't carry, because they have more than [`MAX_CARRIED_BYTES`] together.
@@ -144,6 +144,27 @@ pub fn text_with_files<'a>(
     Ok(if all.is_empty() { text.to_owned() } else { Carried(all.into()).join(text) })
 }
 
+/// Writes the files that the lesson of a link carries into the folder of its copy. A file that's there already stays.
+/// Links come from strangers, so only meshes and what they name are written, and never outside the folder.
+///
+/// # Errors
+/// [`FileError`] if a file can't be written.
+pub fn save_carried(link: &Path, folder: &Path) -> Result<(), FileError> {
+    let carried = Carried::of_lesson(Some(link));
+    for name in carried.0.keys() {
+        let (inside, path) = (Path::new(name), folder.join(name));
+        let is_inside = inside.components().all(|part| matches!(part, Component::Normal(_)));
+        if !is_inside || !(may_travel(name) || has_ending(inside, MESH_ENDINGS)) || disk::may_exist(&path) {
+            continue;
+        }
+        // A damaged one is missed where it's needed.
+        let Some(Ok(bytes)) = carried.read(name, MAX_SCENE_BYTES) else { continue };
+        disk::create_folder(path.parent().unwrap_or(folder)).map_err(FileError::Write)?;
+        crate::save(&path, &bytes, Overwrite::Writable)?;
+    }
+    Ok(())
+}
+
 /// A figure as it's written to `path` with its files, in a new folder beside it: the figure, its new names, and the
 /// files. Those that can't be read are left out and keep their names.
 pub fn beside_figure(
@@ -153,7 +174,7 @@ pub fn beside_figure(
 ) -> (Figure, Renamed, Vec<(PathBuf, Vec<u8>)>) {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let folders = std::iter::once(format!("{stem}-files")).chain((2..1000).map(|k| format!("{stem}-files-{k}")));
-    let is_free = |name: &String| !super::disk::may_exist(&path.with_file_name(name));
+    let is_free = |name: &String| !disk::may_exist(&path.with_file_name(name));
     let folder = folders.into_iter().find(is_free).unwrap_or_else(|| format!("{stem}-files"));
     let (mut renamed, mut written) = (Renamed::new(), Vec::new());
     for (k, (name, of)) in own_files(figure).into_iter().enumerate() {
@@ -213,6 +234,17 @@ mod tests {
         let whole = link(Held::Lesson, &whole);
         assert_eq!(crate::read_lesson(&whole).unwrap().1, lesson);
         assert_eq!(read(FigureFiles::of_lesson(Some(&whole), false)), Some(mesh.to_vec()));
+        // A copy of the lesson has them beside it. What a stranger's link has for other places isn't written.
+        let copy = directory.path().join("copy");
+        let line = |name: &str| format!("{MARK}\"{name}\" AwA=\n");
+        let names = ["../out.obj", "/tmp/camera-lab-out.obj", ".profile", "run.sh"];
+        let bad = lesson.clone() + &names.map(line).concat();
+        for link in [link(Held::Lesson, &bad), whole] {
+            save_carried(&link, &copy).unwrap();
+        }
+        assert_eq!(std::fs::read(copy.join("m.obj")).unwrap(), mesh);
+        assert_eq!(std::fs::read_dir(&copy).unwrap().count(), 1);
+        assert!(!directory.path().join("out.obj").exists() && !Path::new(names[1]).exists());
         // One that can't be read is named, and a text without files stays as it is.
         std::fs::remove_file(directory.path().join("m.obj")).unwrap();
         assert!(matches!(text_with_files(&text, [&figure], &files), Err(FileError::OwnFile(name)) if name == "m.obj"));

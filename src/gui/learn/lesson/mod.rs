@@ -294,10 +294,9 @@ fn column(ui: &Ui, available: f32, presents: bool, asks: bool) -> f32 {
 /// One line: title, number of the step, the ways on.
 fn bar(ui: &mut Ui, t: &Texts, model: &mut Model, learn: &mut Learn) -> Option<Command> {
     let lang = t.lang;
-    // A built-in lesson is copied first.
+    // A lesson of the program or of a link is copied first.
     let is_own = learn.plays_own_lesson(model);
-    let is_shipped = learn.lesson.as_ref().is_some_and(|playing| playing.path.is_none());
-    let can_write = CAN_WRITE && (is_own || is_shipped && !model.in_browser) && !model.settings.presentation;
+    let can_write = CAN_WRITE && !model.in_browser && !model.settings.presentation;
     let playing = learn.lesson.as_ref()?;
     let writing = playing.writing.is_some();
     let lesson = playing.lesson.clone();

@@ -65,7 +65,12 @@ impl Learn {
                 Ok(shipped.text.to_owned())
             }
         };
-        match text.and_then(|text| files::save(path, text.as_bytes(), overwrite)) {
+        let carried = playing.path.as_deref().zip(path.parent());
+        let saved = text.and_then(|text| {
+            files::save(path, text.as_bytes(), overwrite)?;
+            carried.map_or(Ok(()), |(link, folder)| files::save_carried(link, folder))
+        });
+        match saved {
             Ok(()) => {
                 // The figure of the step stays as on the screen.
                 if let Some(playing) = &mut self.lesson {
