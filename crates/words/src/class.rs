@@ -172,7 +172,7 @@ impl ClassReport {
         }
         for (id, counts) in self.exercises() {
             let Counts { tried, solved, alone, mistakes } = &counts;
-            let title = entry(&id).map_or(id.clone(), |entry| format!("{} ({id})", exercises::title(lang, entry)));
+            let title = entry(&id).map_or(id.clone(), |entry| exercises::title(lang, entry).to_string());
             let mut lines = vec![text!(lang, counts, tried, solved, alone)];
             let names = [t.without_help, t.with_help, t.not_yet].into_iter().zip(self.class.who(&id));
             let names = names.filter(|(_, who)| !who.is_empty());

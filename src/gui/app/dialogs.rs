@@ -199,7 +199,7 @@ fn class_report(ui: &mut egui::Ui, t: &Texts, report: &ClassReport, first: bool)
     egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
         for (heading, lines) in report.sections(t.lang) {
             ui.add_space(6.0);
-            ui.strong(heading);
+            ui.label(RichText::new(heading).font(theme::bold(12.5)));
             lines.iter().for_each(|line| crate::gui::kit::prose::show(ui, line));
         }
     });

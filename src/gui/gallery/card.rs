@@ -272,7 +272,7 @@ mod tests {
         std::fs::write(&path, shipped.text).expect("a file is written");
         let source = Source::File(path);
         let card = said_by(&source, Lang::En);
-        assert_eq!(card.title, format!("Lesson: {} (mine)", shipped.lesson.title.en));
+        assert_eq!(card.title, format!("Lesson: {} (mine.toml)", shipped.lesson.title.en));
         assert_eq!(Some(card.sentence), shipped.lesson.sentence.as_ref().map(|text| text.en.clone()));
         let figure = figure_of(&source, shipped.text.as_bytes()).expect("a figure").figure;
         assert!(figure.camera == shipped.lesson.steps[0].figure.camera);

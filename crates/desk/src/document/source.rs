@@ -22,11 +22,11 @@ impl Source {
         }
     }
 
-    /// Its name: that of the built-in figure, or of its file without folder and ending.
+    /// Its name: that of the built-in figure, or of its file, whose ending tells a PDF of a figure from its text.
     pub fn name(&self) -> std::borrow::Cow<'_, str> {
         match self {
             Self::Shipped(name) => (*name).into(),
-            Self::File(path) => path.file_stem().unwrap_or_default().to_string_lossy(),
+            Self::File(path) => path.file_name().unwrap_or_default().to_string_lossy(),
         }
     }
 

@@ -7,12 +7,13 @@ use crate::gui::app::file_flow::questions::{HandOut, Purpose, TEXTURE_ENDINGS};
 use crate::gui::app::state::State;
 use crate::gui::platform::native::{FileQuestion, Wanted};
 use crate::scene::import::MESH_ENDINGS;
+use crate::views::Views;
 use camera_lab_desk::FileFor;
 use camera_lab_words::class;
 use camera_lab_words::file_names::name_of_title;
 use camera_lab_words::learn::{exercise_window, handouts, lessons};
 use camera_lab_words::why::explain;
-use camera_lab_words::window::{self, gallery, photograph, scenes};
+use camera_lab_words::window::{self, canvas, gallery, photograph, scenes};
 use camera_lab_words::{families, told};
 
 /// A kind of files.
@@ -69,14 +70,13 @@ impl FileKind {
                 new_file(t.save_title, filters, figure.with_extension("toml").display().to_string())
             }
             Purpose::Export(export) => {
-                let is_family = state.family.variations().is_some();
+                let names = canvas::texts(lang);
                 let what = match export.what {
-                    _ if is_family => {
-                        name_of_title(families::texts(lang).family).map_or_else(String::new, |name| format!("-{name}"))
-                    }
-                    crate::views::Views::All => String::new(),
-                    some => format!("-{}", some.name().replace(',', "-")),
+                    _ if state.family.variations().is_some() => families::texts(lang).family.to_owned(),
+                    Views::All => String::new(),
+                    some => some.views().map(|view| names.view(view)).collect::<Vec<_>>().join(" "),
                 };
+                let what = name_of_title(&what).map_or_else(String::new, |name| format!("-{name}"));
                 let name = format!("{stem}{what}.{}", export.format.ending());
                 new_file(t.export_title, formats(t.picture_filter, export.format), name)
             }

@@ -8,6 +8,7 @@ use eframe::egui::{
 use glam::DVec2;
 
 use crate::camera::{PhotographCamera, WorldAxis};
+use crate::gui::kit::theme::lowered;
 use crate::gui::views::image_place::ImagePlace;
 use crate::gui::views::labels::label_drag::arrow_of;
 use crate::gui::views::{Canvas, Pane};
@@ -237,8 +238,7 @@ fn paint(
 
 /// A name beside a place.
 fn label(ui: &Ui, painter: &Painter, at: Pos2, text: &str, [color, paper]: [Color32; 2]) {
-    let font = TextStyle::Body.resolve(ui.style());
-    let galley = painter.layout_no_wrap(text.to_owned(), font, color);
+    let galley = painter.layout_job(lowered(ui, text, &TextStyle::Body, color));
     let room = Align2::LEFT_BOTTOM.anchor_size(at + vec2(8.0, -8.0), galley.size());
     painter.rect_filled(room.expand(2.0), 2.0, paper.gamma_multiply(0.8));
     painter.galley(room.min, galley, color);
