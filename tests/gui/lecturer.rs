@@ -1,5 +1,6 @@
 //! What a lecturer meets while preparing and giving a class.
 
+use camera_lab::camera::ParameterKey;
 use camera_lab::export::format::PictureFormat;
 use camera_lab::gui::app::file_flow::questions::Dialog;
 use camera_lab::lessons::shipped;
@@ -9,6 +10,7 @@ use camera_lab_desk::layout::Side;
 use camera_lab_files::read_lesson;
 use camera_lab_words::Lang;
 use camera_lab_words::learn::{lesson_tasks, lessons};
+use camera_lab_words::window::parameter;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect};
 use egui_kittest::kittest::Queryable as _;
@@ -113,10 +115,15 @@ fn valid_parts_of_a_step_are_saved_beside_a_faulty_one() {
     window.harness.get_all_by_label_contains(tasks.insert_number).next().expect("a menu").click();
     window.run();
     window.click_in_dialog(tasks.camera_group);
-    window.harness.get_all_by_label_contains("D = ").last().expect("D").click();
+    // With the mouse, which takes the keyboard from a field. The user goes on typing all the same.
+    let place = window.harness.get_all_by_label_contains("D = ").last().expect("D").rect().center();
+    let height = parameter(Lang::En, ParameterKey::Height);
+    assert!(window.harness.query_by_label_contains(&height).is_none(), "H of another projection");
+    window.click_at(place);
+    window.harness.event(eframe::egui::Event::Text(" units".to_owned()));
     window.run();
     pause(&mut window);
-    assert_eq!(step(&path).text.en, "The distance is {distance}");
+    assert_eq!(step(&path).text.en, "The distance is {distance} units");
 }
 
 #[test]

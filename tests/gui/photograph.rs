@@ -231,3 +231,16 @@ fn the_length_snaps_to_its_axis_and_a_drag_at_the_origin_leaves_it_there() {
     let tool = &window.state().model.photograph;
     assert_eq!((tool.marks.origin, tool.marks.lines.len()), (Some(marked), 5));
 }
+
+/// A row gives its control the width of another text when the text changes.
+#[test]
+fn a_button_is_as_wide_as_its_text_after_a_change_of_language() {
+    let mut window = window(Lang::En, "[image]\nwidth = 640\nheight = 480\n");
+    let width = |window: &Window, lang| window.harness.get_by_label(words::texts(lang).choose_title).rect().width();
+    let first = width(&window, Lang::En);
+    for lang in [Lang::PtBr, Lang::En] {
+        window.app_mut().state.model.settings.lang = lang;
+        window.run();
+    }
+    assert!((width(&window, Lang::En) - first).abs() < 0.5);
+}

@@ -265,8 +265,8 @@ impl App {
         let is_down = ctx.input(|input| input.pointer.any_down());
         self.state.model.check_camera(&frames(&ctx), is_down);
         self.state.model.count_pixels(&frames(&ctx), is_down);
-        let State { model, learn, annotations, .. } = &mut self.state;
-        presentation::show(&ctx, (model, learn), annotations, pictures.response.rect);
+        let State { learn, annotations, .. } = &mut self.state;
+        presentation::show(&ctx, learn, annotations, pictures.response.rect);
         let presenting = self.state.model.settings.presentation;
         let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
         status::toast(&ctx, &self.state.model, pictures.response.rect);

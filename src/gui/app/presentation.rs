@@ -83,6 +83,7 @@ const REST: f64 = 3.0;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::gui) struct RestingPointer {
     moved: f64,
+    at: Pos2,
     gone: bool,
 }
 
@@ -96,8 +97,14 @@ impl RestingPointer {
                 Event::PointerMoved(_) | Event::PointerButton { .. } | Event::MouseWheel { .. } | Event::Touch { .. }
             )
         };
+        let moved = |event: &Event| if let Event::PointerMoved(at) = event { Some(*at) } else { None };
+        self.at = input.events.iter().rev().find_map(moved).unwrap_or(self.at);
         if !is_free || input.events.iter().any(is_of_pointer) {
-            *self = Self { moved: now, gone: false };
+            if self.gone {
+                // The wheel acts where the pointer rested.
+                input.events.insert(0, Event::PointerMoved(self.at));
+            }
+            (self.moved, self.gone) = (now, false);
         } else if !self.gone && now - self.moved >= REST {
             self.gone = true;
             input.events.push(Event::PointerGone);
@@ -183,7 +190,7 @@ pub(in crate::gui) fn caption(ui: &mut Ui, model: &Model, learn: &Learn) {
 }
 
 /// The annotations over the pictures, which are in `room`.
-pub(in crate::gui) fn show(ctx: &Context, (model, learn): (&Model, &Learn), annotations: &mut Annotations, room: Rect) {
+pub(in crate::gui) fn show(ctx: &Context, learn: &Learn, annotations: &mut Annotations, room: Rect) {
     let playing = learn.lesson.as_ref();
     annotations.follow_step(playing.map(|playing| (playing.lesson.id.as_str(), playing.step)));
     if annotations.pen {
@@ -192,11 +199,6 @@ pub(in crate::gui) fn show(ctx: &Context, (model, learn): (&Model, &Learn), anno
     let painter = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("annotations"))).with_clip_rect(room);
     for stroke in &annotations.strokes {
         painter.add(Shape::line(stroke.clone(), Stroke::new(3.0, INK)));
-    }
-    let t = window::texts(model.settings.lang);
-    if annotations.frozen {
-        // Over the titles, where no labels are.
-        label(ctx, &painter, t.frozen, (room.center_top() + vec2(0.0, 0.5 * EDGE), room.width()));
     }
     if annotations.spot
         && let Some(pointer) = ctx.pointer_hover_pos().filter(|pointer| room.contains(*pointer))
@@ -236,8 +238,9 @@ pub(in crate::gui) fn keys(
     learn: &Learn,
     annotations: &mut Annotations,
 ) -> Option<(&'static str, f32)> {
+    let t = window::texts(model.settings.lang);
     if annotations.any() {
-        return Some((window::texts(model.settings.lang).escape_clears, 1.0));
+        return Some((if annotations.frozen { t.frozen } else { t.escape_clears }, 1.0));
     }
     let since = annotations.keys_since.filter(|_| model.settings.presentation)?;
     let left = since + SHOWN - ctx.input(|input| input.time);
@@ -252,17 +255,6 @@ pub(in crate::gui) fn keys(
     let lang = model.settings.lang;
     let of_lesson = learn.lesson.is_some().then(|| lessons::texts(lang).presentation_keys);
     Some((of_lesson.unwrap_or(window::texts(lang).presentation_keys), share))
-}
-
-/// A sentence on a ground of its own, centred at a place, in a room of this width.
-fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (Pos2, f32)) {
-    let style = ctx.global_style();
-    let color = style.visuals.strong_text_color();
-    let font = TextStyle::Body.resolve(&style);
-    let galley = painter.layout(text.to_owned(), font, color, (width - 48.0).max(80.0));
-    let rect = Rect::from_center_size(center, galley.size());
-    painter.rect_filled(rect.expand2(vec2(10.0, 3.0)), 5.0, style.visuals.window_fill.gamma_multiply(0.94));
-    painter.galley(rect.min, galley, color);
 }
 
 #[cfg(test)]
@@ -292,6 +284,16 @@ mod tests {
         assert!(after(vec![], 13.0, true), "it has rested for three seconds");
         assert!(!after(vec![], 14.0, true), "once");
         assert!(!after(moved(), 20.0, true) && !after(vec![], 22.0, true) && after(vec![], 23.1, true));
+        // The wheel wakes it in its old place.
+        let wheel = Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Line,
+            delta: vec2(0.0, 1.0),
+            phase: egui::TouchPhase::Move,
+            modifiers: Modifiers::NONE,
+        };
+        let mut input = RawInput { events: vec![wheel], ..RawInput::default() };
+        RestingPointer { at: egui::pos2(5.0, 5.0), gone: true, moved: 0.0 }.follow(&mut input, 24.0, true);
+        assert_eq!(input.events[0], moved()[0]);
         // While a button is held or a question is open, it stays.
         assert!(!after(vec![], 30.0, false) && !after(vec![], 32.0, true) && after(vec![], 33.0, true));
     }

@@ -254,7 +254,7 @@ pub(in crate::gui) fn tables(
 }
 
 /// The same matrix among the explained ones.
-const fn matrix_of(matrix: ReportMatrix) -> Matrix {
+pub(in crate::gui) const fn matrix_of(matrix: ReportMatrix) -> Matrix {
     match matrix {
         ReportMatrix::View => Matrix::View,
         ReportMatrix::Projection => Matrix::Projection,

@@ -287,7 +287,9 @@ pub(in crate::gui) fn with_room_before<R>(
     let gap = ui.spacing().item_spacing.x;
     let room_before = room.with_max_x((left - gap).max(room.left()));
     before(&mut ui.new_child(egui::UiBuilder::new().id_salt("before").max_rect(room_before).layout(line)));
-    let builder = egui::UiBuilder::new().id_salt("controls").max_rect(room.with_min_x(left)).layout(line);
+    // With the whole room, since a text that's cut to the width of a shorter one would never ask for more.
+    let whole = Rect::from_min_size(egui::pos2(left, room.top()), room.size());
+    let builder = egui::UiBuilder::new().id_salt("controls").max_rect(whole).layout(line);
     let mut at_right = ui.new_child(builder);
     let result = controls(&mut at_right);
     let used = at_right.min_rect();

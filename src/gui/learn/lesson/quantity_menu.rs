@@ -3,7 +3,9 @@
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Id, Response, TextEdit, Ui};
 
+use crate::camera::{ParameterKey, Parameters, Projection};
 use crate::figure::{Figure, Localized};
+use crate::gui::inspector::number_tables::matrix_of;
 use crate::gui::kit::{Explained, TEXT_LINE};
 use crate::inspect::Report;
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, ReportMatrix, WindowNumber};
@@ -11,6 +13,7 @@ use crate::limits::MAX_TYPED;
 use camera_lab_words::Lang;
 use camera_lab_words::learn::lesson_tasks::Texts;
 use camera_lab_words::learn::lessons::filled_from;
+use camera_lab_words::why::explain;
 use camera_lab_words::window::parameter;
 
 /// The name of a text, and beside it the menu. A chosen quantity goes to the caret of the field `id`, in braces, if the
@@ -22,6 +25,10 @@ pub(super) fn name_with_numbers(
     subject: Option<(&Figure, &Report)>,
     (id, text): (Id, &mut String),
 ) -> Response {
+    let wanted = id.with("keyboard");
+    if ui.data_mut(|data| data.remove_temp::<()>(wanted)).is_some() {
+        ui.memory_mut(|memory| memory.request_focus(id));
+    }
     ui.horizontal(|ui| {
         // As high as a line without the menu, because the fields need the room.
         (ui.spacing_mut().interact_size.y, ui.spacing_mut().button_padding.y) = (TEXT_LINE, 0.0);
@@ -37,7 +44,9 @@ pub(super) fn name_with_numbers(
             let after = CCursor::new(text[..at].chars().count() + number.chars().count());
             edit.cursor.set_char_range(Some(CCursorRange::one(after)));
             edit.store(ui.ctx(), id);
-            ui.memory_mut(|memory| memory.request_focus(id));
+            // In the frame of a click elsewhere, a field loses the keyboard. It gets it in the next one.
+            ui.data_mut(|data| data.insert_temp(wanted, ()));
+            ui.request_repaint();
         }
         label
     })
@@ -53,10 +62,16 @@ pub(super) fn quantity_menu(
 ) -> Option<String> {
     let mut chosen = None;
     let button = ui.menu_button(format!("{name} ▾"), |ui| {
-        let camera = crate::camera::ParameterKey::ALL
-            .map(Quantity::Camera)
-            .into_iter()
-            .chain([Quantity::Distance, Quantity::Direction]);
+        // θ of a parallel camera and H of a perspective one are kept for the other projection and say nothing here.
+        let Parameters { projection, window: sides, .. } = &figure.camera;
+        let says = |key: &ParameterKey| match key {
+            ParameterKey::ViewAngle => sides.is_none() && *projection == Projection::Perspective,
+            ParameterKey::Height => sides.is_none() && *projection == Projection::Parallel,
+            ParameterKey::Aspect => sides.is_none(),
+            _ => true,
+        };
+        let camera = ParameterKey::ALL.into_iter().filter(says).map(Quantity::Camera);
+        let camera = camera.chain([Quantity::Distance, Quantity::Direction]);
         let window = WindowNumber::ALL.iter().copied().map(Quantity::Window);
         let axes = BasisAxis::ALL.iter().copied().map(Quantity::Axis);
         let matrices = ReportMatrix::ALL.iter().copied().map(Quantity::Matrix);
@@ -113,6 +128,17 @@ fn name(lang: Lang, quantity: Quantity) -> String {
         Quantity::Distance => "D".to_owned(),
         Quantity::Direction => "DOP".to_owned(),
         Quantity::Axis(axis) => axis.name().to_owned(),
+        Quantity::Window(number) => match number {
+            WindowNumber::Left => "l",
+            WindowNumber::Right => "r",
+            WindowNumber::Bottom => "b",
+            WindowNumber::Top => "t",
+            WindowNumber::Width => "W",
+            WindowNumber::Height => "H",
+            WindowNumber::Aspect => "A",
+        }
+        .to_owned(),
+        Quantity::Matrix(matrix) => explain::matrix(lang, matrix_of(matrix)).to_owned(),
         other => other.to_string(),
     }
 }

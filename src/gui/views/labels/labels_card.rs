@@ -15,10 +15,11 @@ use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
 use crate::picture::Renderer;
 use crate::sanitize::escaped;
 use crate::text::{Face, face};
-use crate::views::{View, unknown_labels};
+use crate::views::{LabelPlace, View, unknown_labels};
 use camera_lab_desk::Model;
 use camera_lab_words::window::labels::Texts;
 use camera_lab_words::window::{canvas, labels as words};
+use camera_lab_words::{Lang, pictures};
 
 /// The factor of one press of *larger*.
 const LARGER: f64 = 1.25;
@@ -32,7 +33,7 @@ impl Canvas {
         let t = words::texts(model.settings.lang);
         let window = Window::new(t.title).id(Id::unique("card of labels")).constrain_to(room).resizable(false);
         let window =
-            window.default_width(250.0).pivot(Align2::RIGHT_BOTTOM).default_pos(room.right_bottom() - vec2(8.0, 8.0));
+            window.default_width(250.0).pivot(Align2::RIGHT_TOP).default_pos(room.right_top() + vec2(-8.0, 8.0));
         window.collapsible(false).show(ui.ctx(), |ui| {
             ui.set_max_width(250.0);
             self.choice(ui, model, panes, t);
@@ -41,8 +42,8 @@ impl Canvas {
             }
             ui.separator();
             measures(ui, model, t);
-            if whole(ui, model, t, &|ui, name| self.words_of(ui, name)) {
-                hide_all(model, panes);
+            if whole(ui, model, t, &|ui, name| self.words_of(ui, t.lang, name)) {
+                hide_all(ui, model, panes);
             }
             for (name, near) in unknown_labels(&self.shot, model.scene_cache.scene()) {
                 let text = words::unknown(model.settings.lang, &name, near.as_deref());
@@ -58,13 +59,15 @@ impl Canvas {
             for label in &self.pictures[pane.picture].labels {
                 if !all.iter().any(|(_, name)| *name == label.name) {
                     all.push((pane.view, label.name.clone()));
+                    // They are known once it's hidden.
+                    let _ = self.words_of(ui, t.lang, &label.name);
                 }
             }
         }
         let named = |ui: &Ui, (view, name): &(View, String)| {
-            let text = self.words_of(ui, name);
+            let text = self.words_of(ui, t.lang, name);
             // Two pictures may have different labels with the same words.
-            let is_other = |(_, other): &(View, String)| other != name && self.words_of(ui, other) == text;
+            let is_other = |(_, other): &(View, String)| other != name && self.words_of(ui, t.lang, other) == text;
             let of_view = canvas::texts(t.lang).view(*view);
             let text = if all.iter().any(is_other) { format!("{text} ({of_view})") } else { text };
             theme::lowered(ui, &escaped(&text), &TextStyle::Button, ui.visuals().text_color())
@@ -86,15 +89,13 @@ impl Canvas {
     }
 
     /// The words of a label in the pictures, or, if it's hidden, those that it had, in plain letters.
-    fn words_of(&self, ui: &Ui, name: &str) -> String {
-        let id = Id::unique(("words of label", name));
+    fn words_of(&self, ui: &Ui, lang: Lang, name: &str) -> String {
         let mut labels = self.pictures.iter().flat_map(|picture| &picture.labels);
-        let shown = labels.find(|label| label.name == name && !label.text.trim().is_empty());
-        ui.data_mut(|data| {
-            let words = data.get_temp_mut_or_insert_with(id, || name.to_owned());
-            shown.into_iter().for_each(|label| *words = label.text.chars().map(|c| face(c, false).1).collect());
-            words.clone()
-        })
+        if let Some(shown) = labels.find(|label| label.name == name && !label.text.trim().is_empty()) {
+            remember(ui, lang, shown);
+        }
+        let known = ui.data(|data| data.get_temp(words_id(lang, name)));
+        known.unwrap_or_else(|| pictures::labels(lang).named(name))
     }
 
     /// The author's wishes for a label.
@@ -241,16 +242,6 @@ fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str)
     let labels = &model.desk.shown.figure().labels;
     let (hidden, notes) = (labels.hidden.clone(), labels.notes.len());
     let mut is_mathematics = labels.letters == Letters::Mathematics;
-    if !hidden.is_empty() {
-        ui.horizontal_wrapped(|ui| {
-            ui.label(t.hidden);
-            for name in &hidden {
-                if ui.button(escaped(&words_of(ui, name))).explained(t.show_again).clicked() {
-                    model.desk.shown.edit_labels(|labels| labels.show(name));
-                }
-            }
-        });
-    }
     if ui.checkbox(&mut is_mathematics, t.mathematics).explained(t.mathematics_hint).changed() {
         let letters = if is_mathematics { Letters::Mathematics } else { Letters::Plain };
         model.desk.shown.edit_labels(|labels| labels.letters = letters);
@@ -271,14 +262,39 @@ fn whole(ui: &mut Ui, model: &mut Model, t: &Texts, words_of: &dyn Fn(&Ui, &str)
             model.label_mode.toggle();
         }
     });
+    // Below the buttons, which stay under the pointer.
+    if !hidden.is_empty() {
+        ui.horizontal_wrapped(|ui| {
+            ui.label(t.hidden);
+            for name in &hidden {
+                let words =
+                    theme::lowered(ui, &escaped(&words_of(ui, name)), &TextStyle::Button, ui.visuals().text_color());
+                if ui.button(words).explained(t.show_again).clicked() {
+                    model.desk.shown.edit_labels(|labels| labels.show(name));
+                }
+            }
+        });
+    }
     hides_all
+}
+
+fn words_id(lang: Lang, name: &str) -> Id {
+    Id::unique(("words of label", lang, name))
+}
+
+/// Keeps the words of a label for the time when it's hidden.
+fn remember(ui: &Ui, lang: Lang, label: &LabelPlace) {
+    let words: String = label.text.chars().map(|c| face(c, false).1).collect();
+    ui.data_mut(|data| data.insert_temp(words_id(lang, &label.name), words));
 }
 
 /// Hides the labels of the views, also those without room, which would take the places that become free. Notes stay,
 /// because hiding one deletes it.
-fn hide_all(model: &mut Model, panes: &[Pane]) {
+fn hide_all(ui: &Ui, model: &mut Model, panes: &[Pane]) {
     let mut renderer = Renderer::default();
+    let lang = model.settings.lang;
     let labels = panes.iter().flat_map(|pane| renderer.labels_with_room(&pane.request));
+    let labels = labels.inspect(|label| remember(ui, lang, label));
     let names: BTreeSet<String> = labels.map(|label| label.name).filter(|name| note_index(name).is_none()).collect();
     let room = MAX_LABELS.saturating_sub(model.desk.shown.figure().labels.hidden.len());
     model.desk.shown.edit_labels(|shown| names.iter().take(room).for_each(|name| shown.hide(name)));

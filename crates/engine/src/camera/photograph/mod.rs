@@ -219,10 +219,12 @@ pub fn camera_of_photograph(
     untold.extend(marks.origin.is_none().then_some(Untold::Position));
     untold.extend((marks.origin.is_none() || marks.length.is_none()).then_some(Untold::Distance));
     let costs = costs(&frame, &solved, &senses, axes);
+    // On the axis, as deep as the origin. Without a length D stays the given one, so that the camera found from the
+    // camera found is the same.
+    let depth = if marks.length.is_some() { position.dot(axes.row(2)).abs() } else { position.length() };
     let mut parameters = Parameters {
         position,
-        // On the axis, as far as the origin is deep.
-        focal_point: position - axes.row(2) * position.dot(axes.row(2)).abs().max(given.near),
+        focal_point: position - axes.row(2) * depth.max(given.near),
         view_up: axes.row(1),
         projection: Projection::Perspective,
         view_angle: solved.told.map_or(given.view_angle, |f| frame.view_angle(f)),

@@ -146,6 +146,27 @@ fn lines_that_meet_at_infinity_leave_theta_open_and_say_so() {
     }
 }
 
+/// What the photograph doesn't tell stays as it was, so taking the camera twice changes nothing.
+#[test]
+fn the_camera_found_from_the_one_found_is_the_same() {
+    let mut random = Numbers(5);
+    for count in 0..200 {
+        let (camera, sides) = (camera(&mut random), sides(&mut random));
+        let Some(mut marks) = marks(&camera, sides, |p| p) else { continue };
+        if count % 4 != 0 {
+            marks.length = None;
+        }
+        if count % 4 == 1 {
+            marks.origin = None;
+        }
+        let Ok(once) = camera_of_photograph(&marks, IMAGE, &given()) else { continue };
+        let again = camera_of_photograph(&marks, IMAGE, &once.parameters).unwrap();
+        let [one, other] = [&once, &again].map(|found| &found.parameters);
+        let moved = one.position.distance(other.position) + one.focal_point.distance(other.focal_point);
+        assert!(moved < 1e-9 * one.position.length(), "{count}: {one:?} {other:?}");
+    }
+}
+
 #[test]
 fn two_axes_are_enough_and_without_the_origin_its_place_is_open() {
     let mut random = Numbers(3);

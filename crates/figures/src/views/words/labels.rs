@@ -1,6 +1,6 @@
 //! The words in the pictures.
 
-use crate::camera::{Ndc, Step};
+use crate::camera::{Ndc, Operation, Step};
 use crate::figure::WorldPart;
 use crate::numbers::DecimalMark;
 use crate::pipeline::{NEAR, PlaneSet};
@@ -162,6 +162,34 @@ pub struct Labels {
 }
 
 impl Labels {
+    /// The words of a label by its name in `[labels]`, as far as they don't depend on the figure. A symbol is its own
+    /// name.
+    pub fn named(&self, name: &str) -> String {
+        let planes = ["left", "right", "bottom", "top", "near", "far"].into_iter().zip(self.planes);
+        if let Some(corner) = name.strip_prefix("corner:") {
+            let word = |part| planes.clone().find(|(known, _)| *known == part).map_or(part, |(_, word)| word);
+            return corner.split('-').map(word).collect::<Vec<_>>().join(", ");
+        }
+        let words = [
+            ("window", self.window),
+            ("near", self.near),
+            ("far", self.far),
+            ("scene", self.scene),
+            ("before", self.before),
+            ("answered", self.answered),
+            ("outside", self.outside),
+            ("horizon", self.horizon),
+            ("epipolar", self.epipolar),
+            ("epipole", self.epipole),
+            ("behind-eye", self.behind_eye),
+            ("goes-in", self.goes_in),
+            ("comes-out", self.comes_out),
+            ("differ", self.differ),
+        ];
+        let words = words.into_iter().chain(Operation::names().into_iter().zip(self.operations));
+        words.into_iter().find(|(known, _)| *known == name).map_or(name, |(_, words)| words).to_owned()
+    }
+
     /// The reason why an object is dropped. Behind the eye all signs are reversed, so only the front plane is
     /// meaningful.
     pub fn outside_planes(&self, planes: PlaneSet) -> String {

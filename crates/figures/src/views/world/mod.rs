@@ -327,7 +327,7 @@ impl<'a> World<'a> {
         let in_frame = face.iter().filter_map(|p| Some((*p, screen.place_inside(*p)?)));
         let mut corners: Vec<_> = in_frame.collect();
         let reach = corners.iter().map(|(_, px)| px.distance(middle)).fold(0.0, f64::max);
-        if reach < 10.0 * screen.scale {
+        if reach < 4.0 * screen.scale {
             return;
         }
         corners.sort_by(|a, b| a.1.y.total_cmp(&b.1.y));
