@@ -244,3 +244,24 @@ fn a_button_is_as_wide_as_its_text_after_a_change_of_language() {
     }
     assert!((width(&window, Lang::En) - first).abs() < 0.5);
 }
+
+/// Nobody can draw along an edge that's behind a cylinder. Once the camera is used, the scene shows whether it fits.
+#[test]
+fn lines_are_drawn_on_the_photograph_alone() {
+    let text = "[image]\nwidth = 640\nheight = 480\nphotograph = \"camera-lab:house.png\"\nphotograph_opacity = 1\n";
+    let mut window = window(Lang::En, text);
+    let t = words::texts(Lang::En);
+    let picture = |window: &mut Window| {
+        window.run();
+        let (_, rect) = window.app_mut().canvas.places().find(|(view, _)| *view == View::Image).expect("the image");
+        window.pixels([rect.width(), rect.height()].map(|side| side as usize))
+    };
+    let with_scene = picture(&mut window);
+    window.click(t.find);
+    let alone = picture(&mut window);
+    assert_ne!(alone, with_scene);
+    window.click(t.with_scene);
+    assert_eq!(picture(&mut window), with_scene);
+    window.app_mut().state.model.photograph.has_scene = false;
+    assert_eq!(picture(&mut window), alone);
+}

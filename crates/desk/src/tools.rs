@@ -86,6 +86,8 @@ pub enum Grip {
 pub struct PhotographTool {
     /// Lines are shown and drawn.
     pub on: bool,
+    /// The scene is drawn over the photograph meanwhile.
+    pub has_scene: bool,
     /// The lines and points, in pixels of the image.
     pub marks: PhotographMarks,
     /// The thing that the next drag draws.
@@ -109,6 +111,7 @@ impl Default for PhotographTool {
     fn default() -> Self {
         Self {
             on: false,
+            has_scene: false,
             marks: PhotographMarks::default(),
             drawn: Drawn::ALL[0],
             length: (WorldAxis::X, 1.0),

@@ -289,6 +289,7 @@ mod tests {
             unit: egui::MouseWheelUnit::Line,
             delta: vec2(0.0, 1.0),
             phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Wheel,
             modifiers: Modifiers::NONE,
         };
         let mut input = RawInput { events: vec![wheel], ..RawInput::default() };

@@ -197,14 +197,15 @@ fn said_by(source: &Source, lang: Lang) -> CardText {
             let bytes = read(source).unwrap_or_default();
             let figure = figure_of(source, &bytes).map(|opened| opened.figure).unwrap_or_default();
             let text = figure_bytes(&bytes, crate::limits::MAX_FIGURE_BYTES).unwrap_or_default();
-            let title = match &figure.title {
-                Some(title) => format!("{} ({})", in_lang(title), source.name()),
-                None => source.name().into_owned(),
-            };
+            let title = figure.title.as_ref().map_or_else(|| source.name().into_owned(), in_lang);
             let is_lesson = files::is_lesson(path);
             let title = if is_lesson { format!("{}: {title}", lessons::texts(lang).see_lesson) } else { title };
             let comment = || first_comment(&String::from_utf8_lossy(&text));
-            CardText { title, sentence: figure.caption.as_ref().map_or_else(comment, in_lang) }
+            let sentence = figure.caption.as_ref().map_or_else(comment, in_lang);
+            // A text, a PDF and a PNG of one figure differ in their names.
+            let names = figure.title.iter().map(|_| source.name().into_owned());
+            let sentence = names.chain([sentence]).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" · ");
+            CardText { title, sentence }
         }
     }
 }
@@ -272,8 +273,9 @@ mod tests {
         std::fs::write(&path, shipped.text).expect("a file is written");
         let source = Source::File(path);
         let card = said_by(&source, Lang::En);
-        assert_eq!(card.title, format!("Lesson: {} (mine.toml)", shipped.lesson.title.en));
-        assert_eq!(Some(card.sentence), shipped.lesson.sentence.as_ref().map(|text| text.en.clone()));
+        assert_eq!(card.title, format!("Lesson: {}", shipped.lesson.title.en));
+        let sentence = shipped.lesson.sentence.as_ref().map(|text| format!("mine.toml · {}", text.en));
+        assert_eq!(Some(card.sentence), sentence);
         let figure = figure_of(&source, shipped.text.as_bytes()).expect("a figure").figure;
         assert!(figure.camera == shipped.lesson.steps[0].figure.camera);
         std::fs::remove_dir_all(&folder).expect("the folder is removed");

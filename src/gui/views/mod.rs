@@ -45,6 +45,7 @@ mod status;
 mod strip;
 mod texture;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
@@ -74,7 +75,10 @@ use crate::gui::views::pointer::probe_steps::Click;
 use crate::gui::views::pointer::selection_gizmo::Movable;
 use crate::gui::views::pointer::vertex_name::VertexNames;
 use crate::pipeline::OverBudget;
-use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
+use crate::scene::Scene;
+use crate::views::{
+    Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, SharedScene, Shot, Size, View, aspect_shown,
+};
 use camera_lab_desk::{Action, Message, Model, ObserverChange, Placing, Running};
 use camera_lab_words::pictures::labels;
 use camera_lab_words::window::canvas::CanvasTexts;
@@ -124,6 +128,8 @@ pub struct Canvas {
     /// A click whose target hasn't been found yet, and its picker.
     clicked: Option<Click>,
     click_picker: Picker,
+    /// The scene, and the same with nothing but its photograph, while lines are drawn on that.
+    photograph_alone: Option<[SharedScene; 2]>,
     /// The image of a way to draw, beside the exact one.
     method: method_image::MethodPane,
     /// The steps of a lesson whose pictures have begun to fade in.
@@ -204,7 +210,12 @@ impl Canvas {
     /// A picture of the shot with the additions for the pointer.
     fn request(&self, model: &Model, picture: &Picture, size: Size) -> Request {
         let (camera, scene) = (model.desk.shown.camera(), model.scene_cache.scene());
-        let request = Request::of_picture(&self.shot, picture, camera, scene, labels(model.settings.lang), size);
+        let alone = self.photograph_alone.as_ref().filter(|_| picture.kind == View::Image);
+        let scene = alone.map_or(scene, |[_, alone]| alone);
+        let mut request = Request::of_picture(&self.shot, picture, camera, scene, labels(model.settings.lang), size);
+        if alone.is_some() {
+            Arc::make_mut(&mut request.shot).look.photograph_opacity = 1.0;
+        }
         Request { hover: self.hover.seen_in(picture.kind), ..request }
     }
 
@@ -255,6 +266,13 @@ impl Canvas {
         };
         self.shot = model.shot(std::mem::take(&mut self.shot.pictures));
         self.shot.pictures.truncate(MAX_PICTURES);
+        let scene = model.scene_cache.scene();
+        let is_alone = model.photograph.on && !model.photograph.has_scene && scene.photograph.is_some();
+        let known = self.photograph_alone.take().filter(|[of, _]| of == scene);
+        self.photograph_alone = is_alone.then(|| {
+            let alone = || Scene { photograph: scene.photograph.clone(), ..Scene::default() };
+            known.unwrap_or_else(|| [scene.clone(), SharedScene::new(alone())])
+        });
         self.pictures.resize_with(self.shot.pictures.len(), ScreenPicture::default);
         let is_small = model.settings.presentation && pictures.width() < ROOM_FOR_SEVERAL;
         let asks_for_place = inputs.placing.as_ref().is_some_and(|placing| placing.is_open);
@@ -482,7 +500,10 @@ impl Canvas {
             if pane.rect.size.width == 0 || pane.rect.size.height == 0 {
                 continue;
             }
-            let request = Request { scene: scene.clone(), ..pane.request.clone() };
+            let mut request = request.clone();
+            if view != View::Image || self.photograph_alone.is_none() {
+                request.scene = scene.clone();
+            }
             let heavy = style.antialias != Samples::One && self.rendering.is_heavy(picture, patience);
             let accounted = model.accounts_for_stages() && model.layout.strip_of == pane.view;
             if !inputs.frozen {

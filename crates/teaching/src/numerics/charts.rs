@@ -87,7 +87,10 @@ impl Findings {
         let mut front: Vec<[f64; 2]> =
             rows.iter().filter(|row| at_stiffest(row) && row.pareto).map(|row| point(row)).collect();
         front.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        by_time.push(Series { name: words.front.to_owned(), color: None, points: front, look: Look::Line });
+        // A line needs two ends.
+        if front.len() > 1 {
+            by_time.push(Series { name: words.front.to_owned(), color: None, points: front, look: Look::Line });
+        }
         by_time.extend(series(&|_| Look::Dots, &|row| at_stiffest(row).then(|| point(row))));
         let by_time = Chart {
             title: (words.at)(stiffest),

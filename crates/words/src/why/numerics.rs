@@ -6,6 +6,7 @@ use crate::numerics::charts::Words;
 use crate::numerics::overhead::{Cost, Price};
 use crate::numerics::three_ways::ThreeWays;
 use crate::numerics::{Findings, Row, Study, Unit};
+use camera_lab_figures::chart::power_of_ten;
 
 texts!("why/numerics");
 
@@ -195,12 +196,19 @@ pub fn name(lang: Lang, name: &str) -> String {
 
 /// The words of the charts of a study, given to `with`.
 pub fn with_words<T>(lang: Lang, study: Study, with: impl FnOnce(&Words) -> T) -> T {
+    let name_of_parameter = parameter(lang, study);
+    let at = |at: f64| {
+        let is_power = at >= 1e5 && at.log10().fract() == 0.0;
+        let value = if is_power { power_of_ten(at) } else { lang.mark().printed(&value(at)) };
+        // A longer name has no room in a title.
+        if name_of_parameter.len() <= 24 { format!("{name_of_parameter} = {value}") } else { value }
+    };
     with(&Words {
-        parameter: parameter(lang, study),
+        parameter: name_of_parameter,
         error: &|row: &Row| unit(lang, row.unit).to_owned(),
         time: texts(lang).time,
         front: texts(lang).front,
-        at: &|at| text!(lang, with_words, at = lang.mark().printed(&value(at))),
+        at: &|value| text!(lang, with_words, at = at(value)),
         case: &|case| name(lang, case),
         method: &|method| name(lang, method),
     })

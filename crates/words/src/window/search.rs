@@ -145,6 +145,18 @@ const SYNONYMS: &[&[&str]] = &[
     &["import", "importar", "gltf", "glb", "obj", "stl", "ply", "mesh file", "arquivo de malha", "open", "abrir"],
     &["frame", "enquadrar", "fit the image", "ajustar a imagem", "aim at it", "mirar nele"],
     &["look at", "olhar para", "center", "centre", "centralizar", "aim", "mirar", "aim at it", "mirar nele"],
+    &[
+        "font",
+        "font size",
+        "fonte",
+        "tamanho da letra",
+        "large type",
+        "letras grandes",
+        "larger interface",
+        "interface maior",
+    ],
+    &["hide labels", "ocultar rotulos", "esconder rotulos", "labels", "rotulos"],
+    &["distortion", "distorcao", "undistorted", "sem distorcao", "aspect", "aspecto"],
     &["quiz", "test", "prova", "exercise", "exercicio", "exercises", "exercicios"],
 ];
 
@@ -205,6 +217,9 @@ mod tests {
             ("near plane", "plano da frente"),
             ("gluLook", "view matrix"),
             ("z-fighting", "z fighting"),
+            ("tamanho da letra", "interface maior"),
+            ("hide labels", "rotulos"),
+            ("distorção", "undistorted"),
         ] {
             assert!(also_called(typed).iter().any(|said| said == other), "{typed}: {:?}", also_called(typed));
         }

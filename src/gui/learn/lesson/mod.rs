@@ -276,6 +276,12 @@ fn first_height(ui: &mut Ui, t: &Texts, learn: &Learn, fits: &Fits) -> f32 {
         if !step.links.is_empty() && !fits.presents {
             hidden.add_space(line);
         }
+        let [_, with_notes, _] = fits.below;
+        if let Some(notes) = step.notes.as_ref().filter(|_| with_notes) {
+            // With their heading and the line above it.
+            hidden.add_space(2.0 * line);
+            prose::show(&mut hidden, told(t.lang, notes).trim());
+        }
         hidden.min_rect().height()
     });
     let text = tallest.fold(0.0, f32::max);

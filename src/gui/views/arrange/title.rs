@@ -120,8 +120,10 @@ impl Title<'_> {
                 action = Some(TitleAction::Hide);
             }
         });
-        let clip = rect.intersect(Rect::everything_left_of(room.left() - 3.0));
-        let painter = ui.painter().with_clip_rect(clip.intersect(ui.clip_rect()));
+        let font = TextStyle::Button.resolve(ui.style());
+        let left = (room.left() - rect.left() - 9.0).max(0.0);
+        let galley = WidgetText::from(self.name).into_galley(ui, Some(egui::TextWrapMode::Truncate), left, font);
+        let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
         let place = Align2::LEFT_CENTER.anchor_size(left_center(rect, 6.0), galley.size());
         painter.galley(place.min, galley, ui.visuals().strong_text_color());
         action

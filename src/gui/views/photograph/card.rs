@@ -82,6 +82,7 @@ fn drawn(ui: &mut Ui, model: &mut Model, t: &Texts) {
     if model.photograph.drawn == Drawn::Length || model.photograph.marks.length.is_some() {
         length(ui, model, t);
     }
+    ui.checkbox(&mut model.photograph.has_scene, t.with_scene).explained(t.with_scene_hint);
     let of = |axis| model.photograph.marks.lines.iter().filter(|line| line.axis == axis).count();
     ui.label(RichText::new(words::counts(lang, WorldAxis::ALL.map(of))).small().weak());
 }
@@ -149,6 +150,8 @@ fn use_camera(model: &mut Model, found: &PhotographCamera) {
         Ok(camera) => {
             model.desk.commit();
             model.desk.shown.set_camera(camera);
+            // Whether it fits shows when the scene lies on the photograph.
+            model.photograph.has_scene = true;
         }
         Err(error) => model.say_camera_error(Err(error)),
     }
