@@ -456,7 +456,7 @@ fn letter_sizes(svg: &str) -> Vec<f64> {
 #[test]
 fn no_letters_on_paper_are_smaller_than_they_were_asked_for() {
     let bench = Bench::new("vectors-least-letters");
-    bench.write("a.toml", "[scene]\npreset = \"house\"\n[show]\nmeasure = [\"D\", \"W\", \"F\"]\n");
+    bench.write("a.toml", "[camera]\nnear = 2\n[scene]\npreset = \"house\"\n[show]\nmeasure = [\"D\", \"W\", \"F\"]\n");
     let sizes = |name: &str, more: &[&str]| {
         bench.run(&[&["render", "a.toml", "--view", "world", "-o", name], more].concat()).done();
         letter_sizes(&String::from_utf8(bench.read(name)).unwrap())

@@ -3,6 +3,7 @@
 pub use crate::learn::exercise_sheet::{MAX_VERSIONS, Solutions, Version};
 use crate::learn::{exercise_messages, exercise_sheet, exercises as said, lessons as texts};
 use crate::{Lang, pictures};
+use camera_lab_engine::appearance::Theme;
 use camera_lab_engine::camera::{Camera, CameraError, ImageSize};
 use camera_lab_engine::scene::Scene;
 use camera_lab_figures::figure::Figure;
@@ -73,7 +74,8 @@ pub fn of_lesson<E>(
     entries.extend(around(lang, t.pretest, &lesson.pretest, room));
     let mut late = Vec::new();
     for (k, step) in lesson.steps.iter().enumerate() {
-        let picture = Some(draw((k, step), options.size())?);
+        let on_paper = Step { figure: printed(&step.figure).into(), ..step.clone() };
+        let picture = Some(draw((k, &on_paper), options.size())?);
         let entry = HandoutEntry { picture, paragraphs: of_step(lang, k, step, room) };
         if options.late && answers(lesson, k) { late.push(entry) } else { entries.push(entry) }
     }
@@ -103,6 +105,13 @@ pub fn of_lesson<E>(
     Ok(Handout { language: lang.tag(), parts, columns })
 }
 
+/// A figure with a white ground.
+fn printed(figure: &Figure) -> Figure {
+    let mut figure = figure.clone();
+    figure.style.theme = Theme::Print;
+    figure
+}
+
 /// True if a step only shows the answer to the question of the step before it.
 fn answers(lesson: &Lesson, step: usize) -> bool {
     let before = step.checked_sub(1).and_then(|before| lesson.steps.get(before));
@@ -129,7 +138,8 @@ pub fn of_exercises<E>(
         let line = Paragraph::Text(format!("{}: {name}  {}: {date}", t.name, t.date));
         let mut entries = vec![HandoutEntry { picture: None, paragraphs: vec![line] }];
         for (number, exercise) in (1..).zip(&version.exercises) {
-            let picture = exercise.figure_to_match().map(|figure| draw(&figure, options.size())).transpose()?;
+            let picture = exercise.figure_to_match();
+            let picture = picture.map(|figure| draw(&printed(&figure), options.size())).transpose()?;
             let title = said::exercise_title(lang, exercise);
             let mut paragraphs = vec![Paragraph::Heading(format!("{number}. {title}"))];
             paragraphs.extend(said::statement(lang, exercise).iter().flat_map(|paragraph| set(paragraph)));

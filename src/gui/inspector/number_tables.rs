@@ -103,7 +103,7 @@ impl Table {
             symbol = transposed(&symbol).into();
         }
         let rows = rows.iter().map(|row| (String::new(), row.to_vec())).collect();
-        let printed = ReportMatrix::ALL.iter().find(|of| matrix_of(**of) == matrix);
+        let printed = ReportMatrix::ALL.iter().find(|of| of.explained() == matrix);
         let quantities = printed.iter().map(|matrix| Quantity::Matrix(**matrix)).collect();
         Self { symbol, of: Some(matrix), transposed: shown.row_vectors, quantities, ..Self::new("", name, rows) }
     }
@@ -251,17 +251,6 @@ pub(in crate::gui) fn tables(
         Table::new("", t.corners_name, (0..8).map(corner).collect()).with_rests().of_quantities(&[Quantity::Corner(0)]),
     );
     tables
-}
-
-/// The same matrix among the explained ones.
-pub(in crate::gui) const fn matrix_of(matrix: ReportMatrix) -> Matrix {
-    match matrix {
-        ReportMatrix::View => Matrix::View,
-        ReportMatrix::Projection => Matrix::Projection,
-        ReportMatrix::ViewProjection => Matrix::ViewProjection,
-        ReportMatrix::InverseView => Matrix::InverseView,
-        ReportMatrix::InverseProjection => Matrix::InverseProjection,
-    }
 }
 
 /// A name with the equation of the notes, or with the convention if that is another.

@@ -5,7 +5,6 @@ use eframe::egui::{Id, Response, TextEdit, Ui};
 
 use crate::camera::{ParameterKey, Parameters, Projection};
 use crate::figure::{Figure, Localized};
-use crate::gui::inspector::number_tables::matrix_of;
 use crate::gui::kit::{Explained, TEXT_LINE};
 use crate::inspect::Report;
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, ReportMatrix, WindowNumber};
@@ -138,7 +137,7 @@ fn name(lang: Lang, quantity: Quantity) -> String {
             WindowNumber::Aspect => "A",
         }
         .to_owned(),
-        Quantity::Matrix(matrix) => explain::matrix(lang, matrix_of(matrix)).to_owned(),
+        Quantity::Matrix(matrix) => explain::matrix(lang, matrix.explained()).to_owned(),
         other => other.to_string(),
     }
 }

@@ -146,7 +146,7 @@ fn lines_that_meet_at_infinity_leave_theta_open_and_say_so() {
     }
 }
 
-/// What the photograph doesn't tell stays as it was, so taking the camera twice changes nothing.
+/// The numbers that the photograph doesn't tell stay as they were, so taking the camera twice changes nothing.
 #[test]
 fn the_camera_found_from_the_one_found_is_the_same() {
     let mut random = Numbers(5);
