@@ -148,16 +148,16 @@ fn the_frame_in_a_folder_follows_the_figure_that_is_open() {
         window.harness.key_press_modifiers(Modifiers::CTRL, Key::Tab);
         window.run();
     }
-    window.wait_for("One (a): ");
-    window.wait_for("One (b): ");
+    window.wait_for("One: a.toml");
+    window.wait_for("One: b.toml");
     window.key(Key::ArrowRight);
     window.key(Key::Enter);
     assert_eq!(window.state().model.desk.shown.path(), Some(&folder.file("b.toml")));
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::PageDown);
     window.run();
     window.command_key(Key::G);
-    window.wait_for("One (c): ");
-    assert!(window.harness.get_by_label_contains("One (c): ").is_focused());
+    window.wait_for("One: c.toml");
+    assert!(window.harness.get_by_label_contains("One: c.toml").is_focused());
 }
 
 #[test]
@@ -207,12 +207,12 @@ fn recent_files_are_offered_and_missing_ones_are_marked() {
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
     window.run();
     assert_eq!(window.state().gallery.part, Part::Recent);
-    window.wait_for("here: What it is about.");
+    window.wait_for("here.toml: What it is about.");
     window.wait_for("gone.toml no longer exists");
     let top = |label: &str| window.harness.get_by_label_contains(label).rect().left();
-    assert!(top("here: ") < top("gone: "), "what is there comes first, although it was used before");
+    assert!(top("here.toml: ") < top("gone.toml: "), "what is there comes first, although it was used before");
     // The frame stands on the one that is open.
-    assert!(window.harness.get_by_label_contains("gone: ").is_focused());
+    assert!(window.harness.get_by_label_contains("gone.toml: ").is_focused());
     window.key(Key::ArrowLeft);
     window.key(Key::Enter);
     assert_eq!(window.state().model.desk.shown.path(), Some(&here));
@@ -250,18 +250,18 @@ fn a_folder_shows_everything_that_opens_the_newest_first_and_names_errors() {
     window.run();
     window.key(Key::Enter);
     assert_eq!(window.state().file_flow.dialog, Some(Dialog::Gallery));
-    window.wait_for("aula 9: ");
+    window.wait_for("aula 9.toml: ");
     window.wait_for("near < far");
     // Its own description is there as well, without a picture.
     window.wait_for("A nona aula.");
-    window.wait_for("aula 10: ");
-    window.wait_for("solid: ");
+    window.wait_for("aula 10.toml: ");
+    window.wait_for("solid.obj: ");
     assert!(!window.says("notes: ") && !window.says("photograph: "));
     let place = |label: &str| {
         let place = window.harness.get_by_label_contains(label).rect().min;
         (place.y, place.x)
     };
     let lesson = format!("Lesson: {}", camera_lab::lessons::shipped()[0].lesson.title.en);
-    let places = ["aula 9: ", "solid: ", &lesson, "aula 10: "].map(place);
+    let places = ["aula 9.toml: ", "solid.obj: ", &lesson, "aula 10.toml: "].map(place);
     assert!(places.is_sorted(), "{places:?}");
 }

@@ -103,7 +103,7 @@ impl Table {
             symbol = transposed(&symbol).into();
         }
         let rows = rows.iter().map(|row| (String::new(), row.to_vec())).collect();
-        let printed = ReportMatrix::ALL.iter().find(|of| of.explained() == matrix);
+        let printed = ReportMatrix::ALL.iter().find(|of| Matrix::from(**of) == matrix);
         let quantities = printed.iter().map(|matrix| Quantity::Matrix(**matrix)).collect();
         Self { symbol, of: Some(matrix), transposed: shown.row_vectors, quantities, ..Self::new("", name, rows) }
     }

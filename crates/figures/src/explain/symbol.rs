@@ -1,5 +1,7 @@
 //! The notes' symbols.
 
+use crate::inspect::quantity::ReportMatrix;
+
 /// A coordinate of a point or of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Component {
@@ -90,6 +92,18 @@ crate::worded! {
     }
     /// Its symbol as text: `M_v`, `M_p⁻¹`.
     pub fn text
+}
+
+impl From<ReportMatrix> for Matrix {
+    fn from(reported: ReportMatrix) -> Self {
+        match reported {
+            ReportMatrix::View => Self::View,
+            ReportMatrix::Projection => Self::Projection,
+            ReportMatrix::ViewProjection => Self::ViewProjection,
+            ReportMatrix::InverseView => Self::InverseView,
+            ReportMatrix::InverseProjection => Self::InverseProjection,
+        }
+    }
 }
 
 impl Matrix {

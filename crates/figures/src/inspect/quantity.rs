@@ -6,7 +6,6 @@ use serde::Serialize;
 
 use super::{CameraReport, Report, Whole};
 use crate::camera::ParameterKey;
-use crate::explain::Matrix;
 
 /// Numbers of a [`Report`] that belong together. Points and rays are counted from 0, in the order of the request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -182,19 +181,6 @@ numbers! {
         InverseView = inverse_view_matrix => |report| Some(report.inverse_view_matrix.concat()),
         /// The inverse of M_p.
         InverseProjection = inverse_projection_matrix => |report| Some(report.inverse_projection_matrix.concat()),
-    }
-}
-
-impl ReportMatrix {
-    /// The same matrix among the explained ones.
-    pub const fn explained(self) -> Matrix {
-        match self {
-            Self::View => Matrix::View,
-            Self::Projection => Matrix::Projection,
-            Self::ViewProjection => Matrix::ViewProjection,
-            Self::InverseView => Matrix::InverseView,
-            Self::InverseProjection => Matrix::InverseProjection,
-        }
     }
 }
 

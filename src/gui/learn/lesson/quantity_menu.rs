@@ -137,7 +137,7 @@ fn name(lang: Lang, quantity: Quantity) -> String {
             WindowNumber::Aspect => "A",
         }
         .to_owned(),
-        Quantity::Matrix(matrix) => explain::matrix(lang, matrix.explained()).to_owned(),
+        Quantity::Matrix(matrix) => explain::matrix(lang, matrix.into()).to_owned(),
         other => other.to_string(),
     }
 }
