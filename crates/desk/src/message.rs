@@ -42,6 +42,8 @@ pub enum Message {
     StepAdded(PathBuf, usize, Option<LeftOut>),
     /// A step was replaced by the state on the screen. Holds its lesson, and the files that it can't show.
     OutOfReach(PathBuf, LeftOut),
+    /// The files of a link that aren't beside the copy of its lesson.
+    NotBeside(PathBuf, LeftOut),
     /// A step was replaced by the state on the screen. Holds the keys that changed.
     StepTook(Vec<String>),
     /// The texts of a step can't be written into the file of its lesson.
@@ -176,6 +178,9 @@ impl Message {
             }
             Self::OutOfReach(path, left_out) => {
                 (Error, format!("{}: {}", sanitize::path(path), messages::out_of_reach(lang, left_out)))
+            }
+            Self::NotBeside(path, left_out) => {
+                (Error, format!("{}: {}", sanitize::path(path), messages::not_beside(lang, left_out)))
             }
             Self::StepTook(keys) if keys.is_empty() => (News, lessons::texts(lang).took_nothing.to_owned()),
             Self::StepTook(keys) => {

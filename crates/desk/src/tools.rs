@@ -86,7 +86,7 @@ pub enum Grip {
 pub struct PhotographTool {
     /// Lines are shown and drawn.
     pub on: bool,
-    /// The scene is drawn over the photograph meanwhile.
+    /// While lines are drawn, the scene is over the photograph too.
     pub has_scene: bool,
     /// The lines and points, in pixels of the image.
     pub marks: PhotographMarks,
@@ -160,9 +160,14 @@ impl PhotographTool {
         (self.on, self.new_line) = (false, None);
     }
 
+    /// Opens or closes it. It opens with the photograph alone.
+    pub fn toggle(&mut self) {
+        (self.on, self.has_scene) = (!self.on, false);
+    }
+
     /// Removes all marks.
     pub fn clear(&mut self) {
-        self.marks = PhotographMarks::default();
+        (self.marks, self.has_scene) = (PhotographMarks::default(), false);
     }
 
     /// Makes a step of undo of the changes since the last one, after this step of the figure.

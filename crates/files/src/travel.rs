@@ -1,18 +1,19 @@
 //! A figure that travels with its files: inside a picture, or in a folder beside a figure file.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
 
 use super::carried::{Carried, packed};
 use super::file_access::{FigureFiles, FileAccess};
 use super::named_files::{Renamed, for_folder, rename};
 use super::shipped::SHIPPED;
-use super::{FileError, Overwrite, disk, has_ending, sanitize};
+use super::{FileError, Overwrite, disk, sanitize};
 use crate::export::format::PictureFormat;
 use crate::figure::Figure;
-use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_HANDED_OUT_BYTES, MAX_SCENE_BYTES};
+use crate::lessons::Lesson;
+use crate::limits::{MAX_CARRIED_BYTES, MAX_FIGURE_BYTES, MAX_HANDED_OUT_BYTES};
 use crate::progress::{Progress, at_once};
-use crate::scene::import::{MESH_ENDINGS, import, read_texture};
+use crate::scene::import::{import, read_texture};
 use crate::scene::{FileUse, ObjectSpec, ReadError, Shape, Wanted};
 
 /// The files of a figure that a picture doesn't carry, because they have more than [`MAX_CARRIED_BYTES`] together.
@@ -144,25 +145,55 @@ pub fn text_with_files<'a>(
     Ok(if all.is_empty() { text.to_owned() } else { Carried(all.into()).join(text) })
 }
 
-/// Writes the files that the lesson of a link carries into the folder of its copy. A file that's there already stays.
-/// Links come from strangers, so only meshes and what they name are written, and never outside the folder.
-///
-/// # Errors
-/// [`FileError`] if a file can't be written.
-pub fn save_carried(link: &Path, folder: &Path) -> Result<(), FileError> {
-    let carried = Carried::of_lesson(Some(link));
-    for name in carried.0.keys() {
-        let (inside, path) = (Path::new(name), folder.join(name));
-        let is_inside = inside.components().all(|part| matches!(part, Component::Normal(_)));
-        if !is_inside || !(may_travel(name) || has_ending(inside, MESH_ENDINGS)) || disk::may_exist(&path) {
-            continue;
+/// Writes the files that the figures of a link's lesson use into the folder of its copy. Returns the names of those that
+/// aren't there afterwards. Links come from strangers, so only meshes, what they name, and images are written, never
+/// over another file, and never outside the folder.
+pub fn save_carried(link: &Path, lesson: &Lesson, folder: &Path) -> Option<LeftOut> {
+    let mut files = FigureFiles::of_lesson(Some(link), false);
+    let (mut all, mut left_out) = (BTreeMap::new(), BTreeSet::new());
+    for (name, of) in lesson.steps.iter().flat_map(|step| own_files(&step.figure)) {
+        let read = files.read(Wanted { path: name, named_by: None }).ok();
+        match read.and_then(|bytes| Some((companions((name, of), &bytes, &mut files)?, bytes))) {
+            Some((beside, bytes)) => {
+                all.insert(name.to_owned(), bytes);
+                all.extend(beside);
+            }
+            None => drop(left_out.insert(name.to_owned())),
         }
-        // A damaged one is missed where it's needed.
-        let Some(Ok(bytes)) = carried.read(name, MAX_SCENE_BYTES) else { continue };
-        disk::create_folder(path.parent().unwrap_or(folder)).map_err(FileError::Write)?;
-        crate::save(&path, &bytes, Overwrite::Writable)?;
     }
-    Ok(())
+    left_out.extend(all.into_iter().filter(|(name, bytes)| !is_beside(folder, name, bytes)).map(|(name, _)| name));
+    (!left_out.is_empty()).then(|| LeftOut(left_out.into_iter().collect()))
+}
+
+/// Writes a file by its name into a folder or below. True if it's there now.
+fn is_beside(folder: &Path, name: &str, bytes: &[u8]) -> bool {
+    let (mut path, mut depth) = (folder.to_owned(), 0_usize);
+    for part in Path::new(name).components() {
+        match part {
+            Component::Normal(part) => {
+                path.push(part);
+                depth += 1;
+            }
+            Component::CurDir => {}
+            Component::ParentDir if depth > 0 => {
+                path.pop();
+                depth -= 1;
+            }
+            _ => return false,
+        }
+    }
+    let above = path.parent().unwrap_or(folder);
+    let known = above.ancestors().find(|folder| disk::may_exist(folder)).unwrap_or(above);
+    let [Ok(known), Ok(whole)] = [known, folder].map(disk::canonical) else { return false };
+    if !known.starts_with(whole) {
+        return false;
+    }
+    match disk::canonical(&path) {
+        Ok(there) => crate::read_at_most(&there, bytes.len() as u64).is_ok_and(|other| other == bytes),
+        // A link that leads nowhere would be followed.
+        Err(_) if path.is_symlink() => false,
+        Err(_) => disk::create_folder(above).is_ok() && crate::save(&path, bytes, Overwrite::Writable).is_ok(),
+    }
 }
 
 /// A figure as it's written to `path` with its files, in a new folder beside it: the figure, its new names, and the
@@ -234,17 +265,49 @@ mod tests {
         let whole = link(Held::Lesson, &whole);
         assert_eq!(crate::read_lesson(&whole).unwrap().1, lesson);
         assert_eq!(read(FigureFiles::of_lesson(Some(&whole), false)), Some(mesh.to_vec()));
-        // A copy of the lesson has them beside it. What a stranger's link has for other places isn't written.
+        // A copy of the lesson has them beside it. Another file of the name stays, and is reported.
         let copy = directory.path().join("copy");
-        let line = |name: &str| format!("{MARK}\"{name}\" AwA=\n");
-        let names = ["../out.obj", "/tmp/camera-lab-out.obj", ".profile", "run.sh"];
-        let bad = lesson.clone() + &names.map(line).concat();
-        for link in [link(Held::Lesson, &bad), whole] {
-            save_carried(&link, &copy).unwrap();
+        std::fs::create_dir(&copy).unwrap();
+        for _ in 0..2 {
+            assert_eq!(save_carried(&whole, &parsed, &copy), None);
         }
         assert_eq!(std::fs::read(copy.join("m.obj")).unwrap(), mesh);
+        std::fs::write(copy.join("m.obj"), "mine").unwrap();
+        assert_eq!(save_carried(&whole, &parsed, &copy), Some(LeftOut(vec!["m.obj".to_owned()])));
+        assert_eq!(std::fs::read(copy.join("m.obj")).unwrap(), b"mine");
+        // What a stranger's link has for other places isn't written, nor what nobody uses.
+        let line = |name: &str| {
+            Carried([(name.to_owned(), packed(mesh, 99).unwrap())].into_iter().collect::<BTreeMap<_, _>>().into())
+        };
+        let names = ["../out.obj", "/tmp/camera-lab-out.obj", "a/../../out.obj"];
+        for name in names {
+            let own = lesson.replace("m.obj", name);
+            let link = link(Held::Lesson, &line(name).join(&own));
+            let parsed = crate::lessons::parse(&own).unwrap();
+            assert_eq!(save_carried(&link, &parsed, &copy), Some(LeftOut(vec![name.to_owned()])));
+        }
+        let unused = link(Held::Lesson, &line("unused.obj").join(&lesson));
+        save_carried(&unused, &parsed, &copy);
         assert_eq!(std::fs::read_dir(&copy).unwrap().count(), 1);
         assert!(!directory.path().join("out.obj").exists() && !Path::new(names[1]).exists());
+        // Places within the folder are found however they're written.
+        let own = lesson.replace("m.obj", "./a/../b/m.obj");
+        let whole = link(Held::Lesson, &line("./a/../b/m.obj").join(&own));
+        assert_eq!(save_carried(&whole, &crate::lessons::parse(&own).unwrap(), &copy), None);
+        assert_eq!(std::fs::read(copy.join("b/m.obj")).unwrap(), mesh);
+        #[cfg(unix)]
+        {
+            let elsewhere = directory.path().join("elsewhere");
+            std::fs::create_dir(&elsewhere).unwrap();
+            std::os::unix::fs::symlink(&elsewhere, copy.join("up")).unwrap();
+            std::os::unix::fs::symlink(elsewhere.join("new.obj"), copy.join("new.obj")).unwrap();
+            for name in ["up/m.obj", "new.obj"] {
+                let own = lesson.replace("m.obj", name);
+                let link = link(Held::Lesson, &line(name).join(&own));
+                assert!(save_carried(&link, &crate::lessons::parse(&own).unwrap(), &copy).is_some(), "{name}");
+            }
+            assert_eq!(std::fs::read_dir(&elsewhere).unwrap().count(), 0);
+        }
         // One that can't be read is named, and a text without files stays as it is.
         std::fs::remove_file(directory.path().join("m.obj")).unwrap();
         assert!(matches!(text_with_files(&text, [&figure], &files), Err(FileError::OwnFile(name)) if name == "m.obj"));

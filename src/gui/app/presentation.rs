@@ -83,7 +83,7 @@ const REST: f64 = 3.0;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::gui) struct RestingPointer {
     moved: f64,
-    at: Pos2,
+    at: Option<Pos2>,
     gone: bool,
 }
 
@@ -97,12 +97,18 @@ impl RestingPointer {
                 Event::PointerMoved(_) | Event::PointerButton { .. } | Event::MouseWheel { .. } | Event::Touch { .. }
             )
         };
-        let moved = |event: &Event| if let Event::PointerMoved(at) = event { Some(*at) } else { None };
-        self.at = input.events.iter().rev().find_map(moved).unwrap_or(self.at);
+        for event in &input.events {
+            match event {
+                Event::PointerMoved(at) => self.at = Some(*at),
+                Event::PointerGone => self.at = None,
+                _ => {}
+            }
+        }
+        let turns = input.events.iter().any(|event| matches!(event, Event::MouseWheel { .. }));
         if !is_free || input.events.iter().any(is_of_pointer) {
-            if self.gone {
+            if let Some(at) = self.at.filter(|_| self.gone && turns) {
                 // The wheel acts where the pointer rested.
-                input.events.insert(0, Event::PointerMoved(self.at));
+                input.events.insert(0, Event::PointerMoved(at));
             }
             (self.moved, self.gone) = (now, false);
         } else if !self.gone && now - self.moved >= REST {
@@ -293,8 +299,12 @@ mod tests {
             modifiers: Modifiers::NONE,
         };
         let mut input = RawInput { events: vec![wheel], ..RawInput::default() };
-        RestingPointer { at: egui::pos2(5.0, 5.0), gone: true, moved: 0.0 }.follow(&mut input, 24.0, true);
+        RestingPointer { at: Some(egui::pos2(5.0, 5.0)), gone: true, moved: 0.0 }.follow(&mut input, 24.0, true);
         assert_eq!(input.events[0], moved()[0]);
+        // A key, and a pointer that has left the window, leave it alone.
+        let mut input = RawInput::default();
+        RestingPointer { at: Some(egui::pos2(5.0, 5.0)), gone: true, moved: 0.0 }.follow(&mut input, 24.0, false);
+        assert!(input.events.is_empty());
         // While a button is held or a question is open, it stays.
         assert!(!after(vec![], 30.0, false) && !after(vec![], 32.0, true) && after(vec![], 33.0, true));
     }

@@ -179,8 +179,8 @@ fn draw(
     renderer.pixels(&request).ok_or_else(|| window::texts(lang).picture_too_large.to_owned())
 }
 
-/// Reads the title and caption of a figure, even if it can't be drawn. A file without a title has its name, a file
-/// without a caption its first comment.
+/// Reads the title and caption of a figure, even if it can't be drawn. A file without a title has its name, which
+/// stands before the caption otherwise. A file without a caption has its first comment.
 fn said_by(source: &Source, lang: Lang) -> CardText {
     let in_lang = |text: &Localized| told(lang, text).to_owned();
     match source {
@@ -203,8 +203,9 @@ fn said_by(source: &Source, lang: Lang) -> CardText {
             let comment = || first_comment(&String::from_utf8_lossy(&text));
             let sentence = figure.caption.as_ref().map_or_else(comment, in_lang);
             // A text, a PDF and a PNG of one figure differ in their names.
-            let names = figure.title.iter().map(|_| source.name().into_owned());
-            let sentence = names.chain([sentence]).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" · ");
+            let is_named = figure.title.is_none() || sentence.is_empty();
+            let name = crate::sanitize::escaped(&source.name());
+            let sentence = if is_named { sentence } else { format!("{name} · {sentence}") };
             CardText { title, sentence }
         }
     }

@@ -210,12 +210,7 @@ impl Canvas {
     /// A picture of the shot with the additions for the pointer.
     fn request(&self, model: &Model, picture: &Picture, size: Size) -> Request {
         let (camera, scene) = (model.desk.shown.camera(), model.scene_cache.scene());
-        let alone = self.photograph_alone.as_ref().filter(|_| picture.kind == View::Image);
-        let scene = alone.map_or(scene, |[_, alone]| alone);
-        let mut request = Request::of_picture(&self.shot, picture, camera, scene, labels(model.settings.lang), size);
-        if alone.is_some() {
-            Arc::make_mut(&mut request.shot).look.photograph_opacity = 1.0;
-        }
+        let request = Request::of_picture(&self.shot, picture, camera, scene, labels(model.settings.lang), size);
         Request { hover: self.hover.seen_in(picture.kind), ..request }
     }
 
@@ -267,7 +262,8 @@ impl Canvas {
         self.shot = model.shot(std::mem::take(&mut self.shot.pictures));
         self.shot.pictures.truncate(MAX_PICTURES);
         let scene = model.scene_cache.scene();
-        let is_alone = model.photograph.on && !model.photograph.has_scene && scene.photograph.is_some();
+        let wants = model.photograph.on && !model.photograph.has_scene && !model.accounts_for_stages();
+        let is_alone = wants && scene.photograph.is_some();
         let known = self.photograph_alone.take().filter(|[of, _]| of == scene);
         self.photograph_alone = is_alone.then(|| {
             let alone = || Scene { photograph: scene.photograph.clone(), ..Scene::default() };
@@ -500,9 +496,11 @@ impl Canvas {
             if pane.rect.size.width == 0 || pane.rect.size.height == 0 {
                 continue;
             }
-            let mut request = request.clone();
-            if view != View::Image || self.photograph_alone.is_none() {
-                request.scene = scene.clone();
+            let mut request = Request { scene: scene.clone(), ..pane.request.clone() };
+            if let Some([_, alone]) = self.photograph_alone.as_ref().filter(|_| view == View::Image) {
+                // Nobody can draw along an edge of a pale photograph behind the scene.
+                (request.scene, request.hover) = (alone.clone(), Hover::default());
+                Arc::make_mut(&mut request.shot).look.photograph_opacity = 1.0;
             }
             let heavy = style.antialias != Samples::One && self.rendering.is_heavy(picture, patience);
             let accounted = model.accounts_for_stages() && model.layout.strip_of == pane.view;

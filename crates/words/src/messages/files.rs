@@ -94,6 +94,12 @@ pub fn out_of_reach(lang: Lang, LeftOut(names): &LeftOut) -> String {
     text!(lang, out_of_reach, names)
 }
 
+/// The files of a link that aren't beside the copy of its lesson.
+pub fn not_beside(lang: Lang, LeftOut(names): &LeftOut) -> String {
+    let names = named(names);
+    text!(lang, not_beside, names)
+}
+
 /// Names of files in a sentence.
 fn named(names: &[String]) -> String {
     sanitize::within(&names.iter().map(|name| sanitize::path_text(name)).collect::<Vec<_>>().join(", "), 200)

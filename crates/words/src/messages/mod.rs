@@ -34,7 +34,7 @@ pub(super) mod wording {
 pub use crate::messages::cameras::{camera, inspect, no_way_back, operation, warning};
 pub use crate::messages::expressions::{at_most_characters, expression, not_whole, outside};
 pub use crate::messages::figure_files::{figure, without_line};
-pub use crate::messages::files::{encoder, file, left_out, link, not_printed, opened, out_of_reach, png};
+pub use crate::messages::files::{encoder, file, left_out, link, not_beside, not_printed, opened, out_of_reach, png};
 pub use crate::messages::meshes::notice as mesh_notice;
 pub use crate::messages::scene_errors::{opened_mesh, scene, scene_in_window};
 pub use crate::messages::unreadable::without_file;

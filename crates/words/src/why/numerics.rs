@@ -201,7 +201,7 @@ pub fn with_words<T>(lang: Lang, study: Study, with: impl FnOnce(&Words) -> T) -
         let is_power = at >= 1e5 && at.log10().fract() == 0.0;
         let value = if is_power { power_of_ten(at) } else { lang.mark().printed(&value(at)) };
         // A longer name has no room in a title.
-        if name_of_parameter.len() <= 24 { format!("{name_of_parameter} = {value}") } else { value }
+        if name_of_parameter.chars().count() <= 24 { format!("{name_of_parameter} = {value}") } else { value }
     };
     with(&Words {
         parameter: name_of_parameter,

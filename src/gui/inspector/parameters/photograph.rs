@@ -37,7 +37,7 @@ pub(super) fn ui(ui: &mut egui::Ui, model: &mut Model) {
     }
     let find = ui.add_enabled(photograph.is_some(), egui::Button::new(t.find).selected(model.photograph.on));
     if find.explained(t.find_hint).explained_disabled(t.find_first).clicked() {
-        model.photograph.on ^= true;
+        model.photograph.toggle();
         model.layout.shown[View::Image.index()] = true;
     }
 }

@@ -51,7 +51,8 @@ impl Learn {
         }
     }
 
-    /// Goes on with a built-in lesson or that of a link as the user's own, in a copy in a file.
+    /// Goes on with a built-in lesson or that of a link as the user's own, in a copy in a file. The meshes of a link go
+    /// beside it.
     pub(in crate::gui) fn copy_lesson(&mut self, model: &mut Model, path: &Path, overwrite: Overwrite) {
         if !CAN_WRITE {
             return;
@@ -65,18 +66,19 @@ impl Learn {
                 Ok(shipped.text.to_owned())
             }
         };
-        let carried = playing.path.as_deref().zip(path.parent());
-        let saved = text.and_then(|text| {
-            files::save(path, text.as_bytes(), overwrite)?;
-            carried.map_or(Ok(()), |(link, folder)| files::save_carried(link, folder))
-        });
+        let saved = text.and_then(|text| files::save(path, text.as_bytes(), overwrite));
         match saved {
             Ok(()) => {
+                let carried = playing.path.as_deref().zip(path.parent());
+                let left_out = carried.and_then(|(link, folder)| files::save_carried(link, &playing.lesson, folder));
                 // The figure of the step stays as on the screen.
                 if let Some(playing) = &mut self.lesson {
                     playing.path = Some(path.to_owned());
                 }
                 self.write_lesson(model);
+                if let Some(left_out) = left_out {
+                    model.say(Message::NotBeside(path.to_owned(), left_out));
+                }
             }
             Err(error) => model.say(Message::File(path.to_owned(), error)),
         }

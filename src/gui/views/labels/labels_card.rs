@@ -60,7 +60,7 @@ impl Canvas {
                 if !all.iter().any(|(_, name)| *name == label.name) {
                     all.push((pane.view, label.name.clone()));
                     // They are known once it's hidden.
-                    let _ = self.words_of(ui, t.lang, &label.name);
+                    remember(ui, t.lang, label);
                 }
             }
         }
