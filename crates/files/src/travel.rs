@@ -145,9 +145,9 @@ pub fn text_with_files<'a>(
     Ok(if all.is_empty() { text.to_owned() } else { Carried(all.into()).join(text) })
 }
 
-/// Writes the files that the figures of a link's lesson use into the folder of its copy. Returns the names of those that
-/// aren't there afterwards. Links come from strangers, so only meshes, what they name, and images are written, never
-/// over another file, and never outside the folder.
+/// Writes the files that the figures of a link's lesson use into the folder of its copy. Returns the names of those
+/// that aren't there afterwards. Links come from strangers, so only meshes, what they name, and images are written,
+/// never over another file, and never outside the folder.
 pub fn save_carried(link: &Path, lesson: &Lesson, folder: &Path) -> Option<LeftOut> {
     let mut files = FigureFiles::of_lesson(Some(link), false);
     let (mut all, mut left_out) = (BTreeMap::new(), BTreeSet::new());
