@@ -275,7 +275,7 @@ mod tests {
         std::fs::write(copy.join("m.obj"), "mine").unwrap();
         assert_eq!(save_carried(&whole, &parsed, &copy), Some(LeftOut(vec!["m.obj".to_owned()])));
         assert_eq!(std::fs::read(copy.join("m.obj")).unwrap(), b"mine");
-        // What a stranger's link has for other places isn't written, nor what nobody uses.
+        // Files for other places, and files that no figure uses, aren't written.
         let line = |name: &str| {
             Carried([(name.to_owned(), packed(mesh, 99).unwrap())].into_iter().collect::<BTreeMap<_, _>>().into())
         };

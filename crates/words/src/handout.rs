@@ -524,4 +524,17 @@ mod tests {
             assert_eq!(page.iter().any(|text| text.starts_with(answer)), alone, "{page:?}");
         }
     }
+
+    /// On paper, a ground that isn't white is a grey stain.
+    #[test]
+    fn pictures_of_a_handout_have_the_theme_for_paper() {
+        let options = HandoutOptions { lang: Lang::En, columns: 1, answers: Solutions::None, plan: false, late: false };
+        let mut themes = Vec::new();
+        let lesson = &camera_lab_teaching::lessons::shipped()[0].lesson;
+        let drawn = of_lesson(lesson, options, |(_, step), _| {
+            themes.push(step.figure.style.theme);
+            Err::<Composite, ()>(())
+        });
+        assert!(drawn.is_err() && themes == [Theme::Print]);
+    }
 }

@@ -132,3 +132,36 @@ pub fn no_areas(lang: Lang, why: &NoAreas) -> String {
         NoAreas::OverBudget(over) => text!(lang, no_areas_over_budget, over_budget = messages::over_budget(lang, over)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_labels_that_are_no_symbols_have_words() {
+        let named = |name| labels(Lang::PtBr).named(name);
+        for name in [
+            "window",
+            "near",
+            "far",
+            "scene",
+            "before",
+            "answered",
+            "outside",
+            "horizon",
+            "epipolar",
+            "epipole",
+            "behind-eye",
+            "goes-in",
+            "comes-out",
+            "differ",
+            "elevation",
+            "azimuth",
+            "corner:near-left-bottom",
+        ] {
+            assert_ne!(named(name), name);
+        }
+        assert_eq!(named("corner:far-right-top"), "fundo, direita, topo");
+        assert_eq!(["C", "VUP", "x_n"].map(named), ["C", "VUP", "x_n"]);
+    }
+}

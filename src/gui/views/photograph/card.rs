@@ -3,7 +3,7 @@
 use eframe::egui::{self, Button, Id, RichText, ScrollArea, Ui, Window, vec2};
 
 use crate::camera::{Camera, Doubt, PhotographCamera, PhotographError, WorldAxis};
-use crate::gui::kit::{Explained, NumberField, Step};
+use crate::gui::kit::{Explained, NumberField, Step, theme};
 use crate::gui::views::{Canvas, Pane};
 use camera_lab_desk::{Drawn, Model};
 use camera_lab_words::why::photograph as steps;
@@ -135,7 +135,7 @@ fn middle(ui: &mut Ui, model: &mut Model, t: &Texts, found: &Result<PhotographCa
 fn account(ui: &mut Ui, model: &Model, found: &PhotographCamera) {
     let lang = model.settings.lang;
     for (number, step) in steps::steps(lang, found).iter().enumerate() {
-        ui.add(egui::Label::new(format!("{}. {step}", number + 1)).wrap());
+        theme::sentence_label(ui, &format!("{}. {step}", number + 1));
     }
     let untold = found.untold.iter().map(|untold| steps::untold(lang, *untold).to_owned());
     for text in untold.chain(steps::doubts(lang, found)) {
